@@ -1,0 +1,1 @@
+//! Smooth plane curves as chains of cubic Béziers, from SVG or analytic, and their discretisation

@@ -1,0 +1,1 @@
+//! Evaluates curve reconstructions: edges against the truth, Hausdorff distance

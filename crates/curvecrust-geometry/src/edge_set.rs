@@ -1,0 +1,161 @@
+//! Undirected edges between the points of a set, in canonical order.
+
+use crate::chains::{self, Chain};
+use crate::point_set::PointId;
+
+/// An undirected edge; `a() < b()`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Edge {
+    a: PointId,
+    b: PointId,
+}
+
+impl Edge {
+    /// The edge between two points, in either order; `None` if they are the same.
+    #[must_use]
+    pub fn new(p: PointId, q: PointId) -> Option<Self> {
+        (p != q).then(|| Self {
+            a: p.min(q),
+            b: p.max(q),
+        })
+    }
+
+    /// The end with the smaller id.
+    #[must_use]
+    pub fn a(self) -> PointId {
+        self.a
+    }
+
+    /// The end with the larger id.
+    #[must_use]
+    pub fn b(self) -> PointId {
+        self.b
+    }
+
+    /// Both ends, ascending.
+    #[must_use]
+    pub fn ends(self) -> [PointId; 2] {
+        [self.a, self.b]
+    }
+}
+
+/// A set of undirected edges over the vertices `0..vertex_count()`.
+///
+/// # Guarantees
+/// Edges are sorted and unique, so equal reconstructions compare equal, whatever order they were
+/// found in; no edge joins a vertex to itself; every end is below `vertex_count()`.
+///
+/// ```
+/// use curvecrust_geometry::{Edge, EdgeSet, PointId};
+///
+/// let id = |i| PointId::from(i);
+/// let edges = [(2, 1), (0, 1), (1, 2)].map(|(p, q)| Edge::new(id(p), id(q)).unwrap());
+/// let set = EdgeSet::new(4, edges);
+/// assert_eq!(set.len(), 2);
+/// assert_eq!(set.degrees(), [1, 2, 1, 0]);
+/// assert_eq!(set.leaves(), [id(0), id(2)]);
+/// assert_eq!(set.isolated(), [id(3)]);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct EdgeSet {
+    vertex_count: usize,
+    edges: Vec<Edge>,
+}
+
+impl EdgeSet {
+    /// Collects edges in any order, repeated or not.
+    ///
+    /// The vertices are `0..vertex_count`, or up to the largest end of an edge if that is more.
+    #[must_use]
+    pub fn new(vertex_count: usize, edges: impl IntoIterator<Item = Edge>) -> Self {
+        let mut edges: Vec<Edge> = edges.into_iter().collect();
+        if !edges.is_sorted() {
+            edges.sort_unstable();
+        }
+        edges.dedup();
+        let used = edges.iter().map(|e| e.b.index() + 1).max().unwrap_or(0);
+        Self {
+            vertex_count: vertex_count.max(used),
+            edges,
+        }
+    }
+
+    /// The number of vertices, isolated ones included.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// The number of edges.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// Whether there is no edge.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.edges.is_empty()
+    }
+
+    /// The edges, ascending.
+    #[must_use]
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Whether the edge belongs to the set, in O(log n).
+    #[must_use]
+    pub fn contains(&self, edge: Edge) -> bool {
+        self.edges.binary_search(&edge).is_ok()
+    }
+
+    /// The edges of this set that `other` lacks, ascending.
+    pub fn difference<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = Edge> + 'a {
+        self.edges.iter().copied().filter(|&e| !other.contains(e))
+    }
+
+    /// The number of edges at each vertex.
+    #[must_use]
+    pub fn degrees(&self) -> Vec<u32> {
+        let mut degrees = vec![0; self.vertex_count];
+        for end in self.edges.iter().flat_map(|e| e.ends()) {
+            degrees[end.index()] += 1;
+        }
+        degrees
+    }
+
+    /// The vertices of degree 1, ascending.
+    #[must_use]
+    pub fn leaves(&self) -> Vec<PointId> {
+        self.with_degree(|d| d == 1)
+    }
+
+    /// The vertices without an edge, ascending.
+    #[must_use]
+    pub fn isolated(&self) -> Vec<PointId> {
+        self.with_degree(|d| d == 0)
+    }
+
+    /// The vertices of degree 3 or more, ascending.
+    #[must_use]
+    pub fn junctions(&self) -> Vec<PointId> {
+        self.with_degree(|d| d > 2)
+    }
+
+    /// The maximal open paths and closed rings, cut at junctions: every edge in exactly one.
+    ///
+    /// See [`Chain`] for their order and orientation; isolated vertices form no chain.
+    #[must_use]
+    pub fn chains(&self) -> Vec<Chain> {
+        chains::of(self)
+    }
+
+    fn with_degree(&self, wanted: impl Fn(u32) -> bool) -> Vec<PointId> {
+        (0u32..)
+            .zip(self.degrees())
+            .filter(|&(_, degree)| wanted(degree))
+            .map(|(vertex, _)| PointId::from(vertex))
+            .collect()
+    }
+}

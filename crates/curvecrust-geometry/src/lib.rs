@@ -1,0 +1,27 @@
+//! The vocabulary of curvecrust: what every other crate speaks, and no algorithm of its own.
+//!
+//! | module | types | what they promise |
+//! |---|---|---|
+//! | [`point_set`] | [`PointSet`], [`PointId`], [`MergedPoints`] | finite, distinct points that exact predicates can carry |
+//! | [`edge_set`] | [`EdgeSet`], [`Edge`] | sorted, unique, undirected edges |
+//! | [`chains`] | [`Chain`] | maximal paths and rings that cover every edge once |
+//! | [`segment`] | [`Segment`] | closest point and distance |
+//! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
+//! | [`similarity`] | [`Similarity`] | to the unit box and back |
+//!
+//! Points are [`glam::DVec2`].
+
+pub mod chains;
+pub mod edge_set;
+pub mod point_set;
+pub mod predicates;
+pub mod segment;
+pub mod similarity;
+
+pub use chains::Chain;
+pub use edge_set::{Edge, EdgeSet};
+pub use glam::DVec2;
+pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
+pub use predicates::{in_circle, orient2d};
+pub use segment::Segment;
+pub use similarity::Similarity;

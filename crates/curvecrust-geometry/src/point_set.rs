@@ -1,0 +1,324 @@
+//! Points that every algorithm may trust: validity is settled once, here.
+
+use std::cmp::Ordering;
+use std::ops::Index;
+
+use glam::DVec2;
+use thiserror::Error;
+
+/// Index of a point in its [`PointSet`], and of the vertex of the same name in an edge set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PointId(u32);
+
+impl PointId {
+    /// The id of the point at `index`; `None` past the 2^32 - 1 points that a set can hold.
+    #[must_use]
+    pub fn new(index: usize) -> Option<Self> {
+        u32::try_from(index)
+            .ok()
+            .filter(|&i| i < u32::MAX)
+            .map(Self)
+    }
+
+    /// The position of the point in its set.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl From<u32> for PointId {
+    fn from(index: u32) -> Self {
+        Self(index)
+    }
+}
+
+impl From<PointId> for u32 {
+    fn from(id: PointId) -> Self {
+        id.0
+    }
+}
+
+/// Finite, pairwise distinct points of the plane, in the caller's order.
+///
+/// # Guarantees
+/// - Every coordinate is zero or has a magnitude in [`PointSet::MIN_MAGNITUDE`] ..=
+///   [`PointSet::MAX_MAGNITUDE`]: the range in which the orientation and in-circle predicates are
+///   exact.
+/// - No two points are equal; -0.0 is stored as 0.0.
+/// - There are fewer than 2^32 - 1 of them, so each has a [`PointId`].
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+///
+/// let points = PointSet::new(vec![DVec2::new(0.0, 0.0), DVec2::new(1.0, 0.0)])?;
+/// assert_eq!(points.len(), 2);
+/// assert!(PointSet::new(vec![DVec2::ZERO, DVec2::new(0.0, f64::NAN)]).is_err());
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointSet {
+    points: Vec<DVec2>,
+}
+
+/// A [`PointSet`] without the duplicates of its input, and where each input point went.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MergedPoints {
+    /// The distinct points, in the order of their first appearance.
+    pub points: PointSet,
+    /// For every input index the id of the point that represents it.
+    pub representative: Vec<PointId>,
+}
+
+impl MergedPoints {
+    /// The number of input points that were merged into an earlier one.
+    #[must_use]
+    pub fn duplicates(&self) -> usize {
+        self.representative.len() - self.points.len()
+    }
+}
+
+/// Why points do not form a [`PointSet`].
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum PointSetError {
+    /// A coordinate is NaN or infinite.
+    #[error("point {index} is ({x}, {y}): coordinates must be finite")]
+    NotFinite {
+        /// Index of the point in the input.
+        index: usize,
+        /// Its x coordinate.
+        x: f64,
+        /// Its y coordinate.
+        y: f64,
+    },
+    /// A coordinate is too large or too small for the exact predicates.
+    #[error(
+        "point {index} has the coordinate {value:e}, which exact predicates cannot carry: \
+         scale the points so that every coordinate is zero or between {:e} and {:e} in magnitude",
+        PointSet::MIN_MAGNITUDE,
+        PointSet::MAX_MAGNITUDE
+    )]
+    Magnitude {
+        /// Index of the point in the input.
+        index: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// Two points are equal.
+    #[error(
+        "points {first} and {second} are both ({x}, {y}): \
+         remove one, or merge duplicates with PointSet::merging_duplicates"
+    )]
+    Duplicate {
+        /// Index of the earlier point.
+        first: usize,
+        /// Index of the later point.
+        second: usize,
+        /// Their x coordinate.
+        x: f64,
+        /// Their y coordinate.
+        y: f64,
+    },
+    /// There are more points than ids.
+    #[error("{count} points, but a point set holds at most {}", u32::MAX - 1)]
+    TooMany {
+        /// The number of points given.
+        count: usize,
+    },
+}
+
+impl PointSet {
+    /// The smallest non-zero magnitude of a coordinate, 2^-142.
+    pub const MIN_MAGNITUDE: f64 = f64::from_bits((1023 - 142) << 52);
+    /// The largest magnitude of a coordinate, 2^201.
+    pub const MAX_MAGNITUDE: f64 = f64::from_bits((1023 + 201) << 52);
+
+    /// Takes points that are valid as they are.
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite or out of range, by index; else the duplicate whose
+    /// later point comes first.
+    pub fn new(mut points: Vec<DVec2>) -> Result<Self, PointSetError> {
+        validate(&mut points)?;
+        let first_twin = duplicates(&points)
+            .into_iter()
+            .min_by_key(|&(_, second)| second);
+        if let Some((first, second)) = first_twin {
+            let DVec2 { x, y } = points[second];
+            return Err(PointSetError::Duplicate {
+                first,
+                second,
+                x,
+                y,
+            });
+        }
+        Ok(Self { points })
+    }
+
+    /// Takes points among which some may be equal: each group is represented by its first member.
+    ///
+    /// ```
+    /// use curvecrust_geometry::{DVec2, PointSet};
+    ///
+    /// let merged = PointSet::merging_duplicates(vec![DVec2::X, DVec2::Y, DVec2::X])?;
+    /// assert_eq!(merged.points.points(), [DVec2::X, DVec2::Y]);
+    /// assert_eq!(merged.representative[2], merged.representative[0]);
+    /// # Ok::<(), curvecrust_geometry::PointSetError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite or out of range, by index.
+    pub fn merging_duplicates(mut points: Vec<DVec2>) -> Result<MergedPoints, PointSetError> {
+        validate(&mut points)?;
+        let mut first_of: Vec<usize> = (0..points.len()).collect();
+        for (first, second) in duplicates(&points) {
+            first_of[second] = first;
+        }
+        let mut kept = Vec::with_capacity(points.len());
+        let mut representative: Vec<PointId> = Vec::with_capacity(points.len());
+        for (index, &first) in first_of.iter().enumerate() {
+            if first == index {
+                representative.push(id_of(kept.len()));
+                kept.push(points[index]);
+            } else {
+                representative.push(representative[first]);
+            }
+        }
+        Ok(MergedPoints {
+            points: Self { points: kept },
+            representative,
+        })
+    }
+
+    /// The number of points.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether there is no point.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// The points, in order of their ids.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// The ids, ascending.
+    pub fn ids(&self) -> impl ExactSizeIterator<Item = PointId> + use<> {
+        (0..self.points.len()).map(id_of)
+    }
+}
+
+impl Index<PointId> for PointSet {
+    type Output = DVec2;
+
+    fn index(&self, id: PointId) -> &DVec2 {
+        &self.points[id.index()]
+    }
+}
+
+/// Orders points by x, then y: the order by which ties are broken.
+#[must_use]
+pub fn by_coordinates(a: DVec2, b: DVec2) -> Ordering {
+    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "validate() bounds the count"
+)]
+fn id_of(index: usize) -> PointId {
+    PointId(index as u32)
+}
+
+fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
+    if points.len() >= u32::MAX as usize {
+        return Err(PointSetError::TooMany {
+            count: points.len(),
+        });
+    }
+    for (index, point) in points.iter_mut().enumerate() {
+        let DVec2 { x, y } = *point;
+        if !point.is_finite() {
+            return Err(PointSetError::NotFinite { index, x, y });
+        }
+        let carried = |v: f64| {
+            v == 0.0 || (PointSet::MIN_MAGNITUDE..=PointSet::MAX_MAGNITUDE).contains(&v.abs())
+        };
+        if let Some(value) = [x, y].into_iter().find(|&v| !carried(v)) {
+            return Err(PointSetError::Magnitude { index, value });
+        }
+        // -0.0 + 0.0 is 0.0: equal points are then equal bit by bit.
+        *point += DVec2::ZERO;
+    }
+    Ok(())
+}
+
+/// For every point that equals an earlier one: the first index of its group, and its own.
+fn duplicates(points: &[DVec2]) -> Vec<(usize, usize)> {
+    let mut order: Vec<u32> = points.iter().enumerate().map(|(i, _)| id_of(i).0).collect();
+    order.sort_unstable_by(|&a, &b| {
+        by_coordinates(points[a as usize], points[b as usize]).then(a.cmp(&b))
+    });
+    order
+        .chunk_by(|&a, &b| points[a as usize] == points[b as usize])
+        .flat_map(|group| group[1..].iter().map(|&i| (group[0] as usize, i as usize)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn negative_zero_is_zero() {
+        let twins = vec![DVec2::new(0.0, 1.0), DVec2::new(-0.0, 1.0)];
+        assert_eq!(
+            PointSet::new(twins),
+            Err(PointSetError::Duplicate {
+                first: 0,
+                second: 1,
+                x: 0.0,
+                y: 1.0
+            })
+        );
+    }
+
+    #[test]
+    fn the_range_of_magnitudes_is_closed() {
+        for v in [PointSet::MIN_MAGNITUDE, PointSet::MAX_MAGNITUDE, 0.0] {
+            assert!(PointSet::new(vec![DVec2::new(-v, v)]).is_ok());
+        }
+        for v in [PointSet::MIN_MAGNITUDE / 2.0, PointSet::MAX_MAGNITUDE * 2.0] {
+            assert_eq!(
+                PointSet::new(vec![DVec2::ZERO, DVec2::new(1.0, v)]),
+                Err(PointSetError::Magnitude { index: 1, value: v })
+            );
+        }
+    }
+
+    #[test]
+    fn merging_keeps_first_appearances_in_order() {
+        let [a, b, c] = [DVec2::new(2.0, 0.0), DVec2::new(1.0, 0.0), DVec2::ZERO];
+        let merged = PointSet::merging_duplicates(vec![a, b, a, c, b, a]).unwrap();
+        assert_eq!(merged.points.points(), [a, b, c]);
+        let to: Vec<_> = merged.representative.iter().map(|id| id.index()).collect();
+        assert_eq!(to, [0, 1, 0, 2, 1, 0]);
+        assert_eq!(merged.duplicates(), 3);
+    }
+
+    #[test]
+    fn errors_name_index_and_value() {
+        let error = PointSet::new(vec![DVec2::X, DVec2::new(f64::INFINITY, 2.0)]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "point 1 is (inf, 2): coordinates must be finite"
+        );
+    }
+}

@@ -1,0 +1,1 @@
+//! Medial axis, local feature size and reach of smooth plane curves

@@ -1,0 +1,1 @@
+//! Curve reconstruction from bare points: HNN-Crust, NN-Crust, Crust and their relatives

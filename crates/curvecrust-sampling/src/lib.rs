@@ -1,0 +1,1 @@
+//! Epsilon- and reach-based rho-sampling of smooth plane curves

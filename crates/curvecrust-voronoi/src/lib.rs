@@ -1,0 +1,1 @@
+//! Delaunay triangulation and Voronoi diagram of point sets, on spade
