@@ -1,2 +1,49 @@
-//! Tasks of the project.
-fn main() {}
+//! The tasks of the project: `cargo xtask <task>`. One file per task; this one only dispatches.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program for a terminal"
+)]
+
+mod fetch_paper_data;
+mod reproduce_paper;
+mod root;
+mod test;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Exit status: 0 when all is well, 1 when a check failed, 2 when the task could not be carried out.
+#[derive(Parser)]
+#[command(
+    name = "cargo xtask",
+    bin_name = "cargo xtask",
+    about = "The tasks of the project"
+)]
+struct Cli {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Check the whole workspace: format, lints, tests, doctests, docs
+    Test(test::Args),
+    /// Lay the paper authors' curves and points (GPL-3.0) under fixtures/paper, which git ignores
+    FetchPaperData(fetch_paper_data::Args),
+    /// Reproduce Tables 1 to 3 of "Curve Reconstruction with Many Fewer Samples"
+    ReproducePaper(reproduce_paper::Args),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Cli::parse().task {
+        Task::Test(args) => test::run(&args),
+        Task::FetchPaperData(args) => fetch_paper_data::run(&args),
+        Task::ReproducePaper(args) => reproduce_paper::run(&args),
+    };
+    outcome.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::from(2)
+    })
+}
