@@ -7,12 +7,14 @@
 //! | [`chains`] | [`Chain`] | maximal paths and rings that cover every edge once |
 //! | [`segment`] | [`Segment`] | closest point and distance |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
+//! | [`hilbert`] | [`hilbert_index`], [`hilbert_keys`] | an order in which neighbours are close |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
 //!
 //! Points are [`glam::DVec2`].
 
 pub mod chains;
 pub mod edge_set;
+pub mod hilbert;
 pub mod point_set;
 pub mod predicates;
 pub mod segment;
@@ -21,6 +23,7 @@ pub mod similarity;
 pub use chains::Chain;
 pub use edge_set::{Edge, EdgeSet};
 pub use glam::DVec2;
+pub use hilbert::{hilbert_index, hilbert_keys};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use segment::Segment;

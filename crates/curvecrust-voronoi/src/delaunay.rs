@@ -1,0 +1,151 @@
+//! The triangulation, and every edge with its dual.
+
+use curvecrust_geometry::{DVec2, PointId, PointSet, orient2d};
+use spade::handles::{DirectedEdgeHandle, FaceHandle, InnerTag};
+use spade::{DelaunayTriangulation, Point2, Triangulation};
+
+use crate::order::brio_order;
+
+type Spade = DelaunayTriangulation<Point2<f64>>;
+type SpadeEdge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), (), ()>;
+type SpadeTriangle<'a> = FaceHandle<'a, InnerTag, Point2<f64>, (), (), ()>;
+
+/// The Delaunay triangulation of a point set, with its Voronoi vertices.
+///
+/// Exact: no point lies inside the circumcircle of a triangle. Where four or more points lie on one
+/// empty circle the triangulation is not unique; which one is built depends on the coordinates, not
+/// on the order of the points. Fewer than three points, or points on one line, have no triangle, but
+/// edges between neighbours on the line.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_voronoi::Delaunay;
+///
+/// let corners = [(0.0, 0.0), (4.0, 0.0), (0.0, 2.0)].map(|(x, y)| DVec2::new(x, y));
+/// let delaunay = Delaunay::new(&PointSet::new(corners.to_vec())?);
+/// assert_eq!(delaunay.triangles().count(), 1);
+/// assert_eq!(delaunay.edges().count(), 3);
+/// for edge in delaunay.edges() {
+///     // One side is the circumcentre, the other is unbounded.
+///     let centre = edge.centres.into_iter().flatten().next();
+///     assert_eq!(centre, Some(DVec2::new(2.0, 1.0)));
+/// }
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[derive(Debug)]
+pub struct Delaunay {
+    triangulation: Spade,
+    /// The ids of the points in order of insertion, which is the order of spade's vertices.
+    ids: Vec<PointId>,
+    /// The circumcentres, in order of spade's inner faces.
+    centres: Vec<DVec2>,
+}
+
+/// A Delaunay edge with what lies left and right of it, and its dual: the Voronoi edge between the
+/// cells of its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DualEdge {
+    /// The ends `a`, `b` of the Delaunay edge: the sites whose cells the Voronoi edge parts.
+    pub ends: [PointId; 2],
+    /// The third vertex of the triangle left and of the one right of the line from `a` to `b`;
+    /// `None` where the hull leaves no triangle.
+    pub apexes: [Option<PointId>; 2],
+    /// The circumcentres of the same triangles: the ends of the Voronoi edge. `None`: it is
+    /// unbounded on that side, a ray along the bisector, or a line if both are `None`.
+    pub centres: [Option<DVec2>; 2],
+}
+
+impl Delaunay {
+    /// Triangulates the points, in O(n log n) expected time for points as they occur on curves.
+    #[must_use]
+    #[expect(
+        clippy::expect_used,
+        clippy::missing_panics_doc,
+        reason = "spade refuses just what a PointSet refuses"
+    )]
+    pub fn new(points: &PointSet) -> Self {
+        let ids = brio_order(points);
+        let mut triangulation = Spade::with_capacity(ids.len(), 3 * ids.len(), 2 * ids.len());
+        let mut previous = None;
+        for &id in &ids {
+            let DVec2 { x, y } = points[id];
+            let at = Point2::new(x, y);
+            let inserted = match previous {
+                Some(hint) => triangulation.insert_with_hint(at, hint),
+                None => triangulation.insert(at),
+            };
+            let vertex = inserted.expect("a PointSet holds only coordinates that spade accepts");
+            previous = Some(vertex);
+        }
+        let centres = triangulation.inner_faces().map(circumcentre).collect();
+        Self {
+            triangulation,
+            ids,
+            centres,
+        }
+    }
+
+    /// The triangles, each counter-clockwise.
+    pub fn triangles(&self) -> impl Iterator<Item = [PointId; 3]> + '_ {
+        self.triangulation
+            .inner_faces()
+            .map(|face| face.vertices().map(|v| self.id(v.index())))
+    }
+
+    /// The Voronoi vertices: the circumcentres of the triangles, in the order of
+    /// [`triangles`](Self::triangles). Those of cocircular triangles coincide up to rounding.
+    #[must_use]
+    pub fn voronoi_vertices(&self) -> &[DVec2] {
+        &self.centres
+    }
+
+    /// The edges, each once.
+    pub fn edges(&self) -> impl Iterator<Item = DualEdge> + '_ {
+        self.triangulation.undirected_edges().map(|edge| {
+            let edge = edge.as_directed();
+            let sides = [edge, edge.rev()];
+            DualEdge {
+                ends: sides.map(|side| self.id(side.from().index())),
+                apexes: sides.map(|side| Some(self.id(side.opposite_vertex()?.index()))),
+                centres: sides.map(|side| self.centre_left_of(side)),
+            }
+        })
+    }
+
+    fn id(&self, vertex: usize) -> PointId {
+        self.ids[vertex]
+    }
+
+    fn centre_left_of(&self, edge: SpadeEdge<'_>) -> Option<DVec2> {
+        // spade's face 0 is the outer one; the inner faces follow.
+        Some(self.centres[edge.face().as_inner()?.index() - 1])
+    }
+}
+
+/// The circumcentre, with the area from the exact predicate: a sliver is not mistaken for a line.
+fn circumcentre(face: SpadeTriangle<'_>) -> DVec2 {
+    let [a, b, c] = face.positions().map(|p| DVec2::new(p.x, p.y));
+    let (ab, ac) = (b - a, c - a);
+    let across = ac * ab.length_squared() - ab * ac.length_squared();
+    a - across.perp() / (2.0 * orient2d(a, b, c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn circumcentres_are_equidistant() {
+        let points = PointSet::new(vec![
+            DVec2::new(0.0, 0.0),
+            DVec2::new(3.0, 1.0),
+            DVec2::new(1.0, 4.0),
+        ])
+        .unwrap();
+        let delaunay = Delaunay::new(&points);
+        let centre = delaunay.voronoi_vertices()[0];
+        let radii = points.points().iter().map(|p| p.distance(centre));
+        let spread = radii.clone().fold(0.0, f64::max) - radii.fold(f64::INFINITY, f64::min);
+        assert!(spread < 1e-14);
+    }
+}
