@@ -1,0 +1,171 @@
+//! Nearest and half neighbours: the local step of HNN-Crust and NN-Crust.
+
+mod half_plane;
+
+use curvecrust_geometry::point_set::by_coordinates;
+use curvecrust_geometry::{DVec2, PointId, PointSet};
+use rayon::prelude::*;
+use rstar::primitives::GeomWithData;
+use rstar::{RTree, RTreeParams};
+
+use half_plane::HalfPlane;
+
+/// The two points to which a point of a curve may be joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Neighbours {
+    /// The closest other point; `None` iff there is no other point.
+    pub nearest: Option<PointId>,
+    /// The closest point of the half-plane of a [`HalfRule`]; `None` iff no point lies there.
+    pub half: Option<PointId>,
+}
+
+/// The half-plane, on the side away from the nearest neighbour n0, in which the second neighbour
+/// of a point s is sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HalfRule {
+    /// All q with |q s| < |q n0|: the open half-plane of the bisector of s and n0 that holds s.
+    /// The half neighbour of HNN-Crust (Ohrhallinger, Mitchell, Wimmer 2016).
+    Bisector,
+    /// All q with an angle n0-s-q of 90 degrees or more: the rule of NN-Crust (Dey, Kumar 1999).
+    RightAngle,
+}
+
+/// The nearest and the half neighbour of every point, in the order of ids.
+///
+/// The search has no cap: it ends at a neighbour or when no point is left. Which points lie in the
+/// half-plane is decided exactly. Distances are compared as squares computed in f64 from
+/// differences of coordinates; ties go to the smaller x, then the smaller y. The result therefore
+/// depends neither on the order of the points nor on the number of threads, and stays the same
+/// under scaling by a power of two and under translation, as long as no coordinate is rounded.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointId, PointSet};
+/// use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
+///
+/// let points = PointSet::new([0.0, 1.0, 3.0].map(|x| DVec2::new(x, 0.0)).to_vec())?;
+/// let found = neighbours(&points, HalfRule::Bisector);
+/// let id = |i| Some(PointId::from(i));
+/// assert_eq!((found[1].nearest, found[1].half), (id(0), id(2)));
+/// assert_eq!((found[2].nearest, found[2].half), (id(1), None));
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn neighbours(points: &PointSet, rule: HalfRule) -> Vec<Neighbours> {
+    let entries = points.ids().map(|id| Entry::new(points[id].into(), id));
+    let tree = RTree::bulk_load(entries.collect());
+    points
+        .points()
+        .par_iter()
+        .map(|&s| of_point(&tree, s, rule))
+        .collect()
+}
+
+type Entry = GeomWithData<[f64; 2], PointId>;
+
+fn of_point<P: RTreeParams>(tree: &RTree<Entry, P>, s: DVec2, rule: HalfRule) -> Neighbours {
+    let Some(nearest) = closest(tree, s, |_| true) else {
+        return Neighbours::default();
+    };
+    let plane = HalfPlane::new(rule, s, DVec2::from(*nearest.geom()));
+    let half = closest(tree, s, |q| plane.contains(q));
+    Neighbours {
+        nearest: Some(nearest.data),
+        half: half.map(|e| e.data),
+    }
+}
+
+/// The closest point other than `s` that is `wanted`, by distance and coordinates.
+fn closest<P: RTreeParams>(
+    tree: &RTree<Entry, P>,
+    s: DVec2,
+    wanted: impl Fn(DVec2) -> bool,
+) -> Option<&Entry> {
+    let mut ascending = tree
+        .nearest_neighbor_iter_with_distance_2(s.into())
+        .map(|(e, d)| (e, DVec2::from(*e.geom()), d))
+        .filter(|&(_, q, _)| q != s && wanted(q));
+    let first = ascending.next()?;
+    ascending
+        .take_while(|&(_, _, d)| d <= first.2)
+        .fold(first, |best, other| {
+            if by_coordinates(other.1, best.1).is_lt() {
+                other
+            } else {
+                best
+            }
+        })
+        .0
+        .into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const RULES: [HalfRule; 2] = [HalfRule::Bisector, HalfRule::RightAngle];
+
+    fn brute_force(points: &PointSet, rule: HalfRule) -> Vec<Neighbours> {
+        let closest = |s: DVec2, wanted: &dyn Fn(DVec2) -> bool| {
+            points
+                .ids()
+                .filter(|&q| points[q] != s && wanted(points[q]))
+                .min_by(|&p, &q| {
+                    let (p, q) = (points[p], points[q]);
+                    (p - s)
+                        .length_squared()
+                        .total_cmp(&(q - s).length_squared())
+                        .then(by_coordinates(p, q))
+                })
+        };
+        let of = |&s: &DVec2| {
+            let nearest = closest(s, &|_| true);
+            let half = nearest.and_then(|n0| {
+                let plane = HalfPlane::new(rule, s, points[n0]);
+                closest(s, &|q| plane.contains(q))
+            });
+            Neighbours { nearest, half }
+        };
+        points.points().iter().map(of).collect()
+    }
+
+    /// Points on small grids (many ties and collinear runs), anywhere, and far outliers.
+    fn point_sets() -> impl Strategy<Value = PointSet> {
+        let grid = (-6i32..6, -6i32..6).prop_map(|(x, y)| DVec2::new(x.into(), y.into()));
+        let anywhere = (-6f64..6.0, -6f64..6.0).prop_map(|(x, y)| DVec2::new(x, y));
+        let far = (-1e9f64..1e9, -1e9f64..1e9).prop_map(|(x, y)| DVec2::new(x, y));
+        let point = prop_oneof![6 => grid, 3 => anywhere, 1 => far];
+        prop::collection::vec(point, 0..120)
+            .prop_map(|p| PointSet::merging_duplicates(p).unwrap().points)
+    }
+
+    proptest! {
+        #[test]
+        fn equals_brute_force(points in point_sets()) {
+            for rule in RULES {
+                prop_assert_eq!(neighbours(&points, rule), brute_force(&points, rule));
+            }
+        }
+
+        #[test]
+        fn scale_shift_and_order_do_not_matter(points in point_sets()) {
+            let moved = |f: &dyn Fn(DVec2) -> DVec2| {
+                PointSet::new(points.points().iter().map(|&p| f(p)).collect()).unwrap()
+            };
+            let scaled = moved(&|p| p * 2f64.powi(-90));
+            let reversed = PointSet::new(points.points().iter().rev().copied().collect()).unwrap();
+            let last = u32::try_from(points.len()).unwrap().wrapping_sub(1);
+            let back = |id: PointId| PointId::from(last - u32::from(id));
+            for rule in RULES {
+                let found = neighbours(&points, rule);
+                prop_assert_eq!(&neighbours(&scaled, rule), &found);
+                let from_reversed: Vec<Neighbours> = neighbours(&reversed, rule)
+                    .into_iter()
+                    .rev()
+                    .map(|n| Neighbours { nearest: n.nearest.map(back), half: n.half.map(back) })
+                    .collect();
+                prop_assert_eq!(from_reversed, found);
+            }
+        }
+    }
+}

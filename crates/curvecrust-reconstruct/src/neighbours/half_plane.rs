@@ -1,0 +1,184 @@
+//! The half-planes of half neighbours: one sign, decided without rounding error.
+
+use glam::DVec2;
+
+use super::HalfRule;
+
+/// Bound on the error of [`HalfPlane::estimate`] relative to |q s|^2 + |n0 s|^2.
+///
+/// With u = 2^-53, the terms 2 a_i b_i and b_i b_i each err by at most 5 u in all (differences,
+/// product, sum, final difference). The magnitudes of all terms sum to at most |a|^2 + 2 |b|^2, so
+/// 10 u times the sum of squares is enough; 16 u leaves room for rounding the bound itself.
+const ERROR: f64 = 16.0 * (f64::EPSILON / 2.0);
+
+/// The half-plane in which the half neighbour of a point is sought.
+///
+/// With a = q - s and b = n0 - s, a point q lies in it iff 2 a.b < b.b (bisector rule, open) or
+/// 2 a.b <= 0 (right-angle rule, closed).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HalfPlane {
+    rule: HalfRule,
+    s: DVec2,
+    n0: DVec2,
+}
+
+impl HalfPlane {
+    pub(super) fn new(rule: HalfRule, s: DVec2, n0: DVec2) -> Self {
+        Self { rule, s, n0 }
+    }
+
+    /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
+    pub(super) fn contains(self, q: DVec2) -> bool {
+        let (a, b) = (q - self.s, self.n0 - self.s);
+        let estimate = 2.0 * a.dot(b) - self.offset(b);
+        let error = ERROR * (a.length_squared() + b.length_squared());
+        if estimate.abs() > error {
+            return estimate < 0.0;
+        }
+        match (self.rule, self.exact(q)) {
+            (HalfRule::Bisector, sign) => sign < 0.0,
+            (HalfRule::RightAngle, sign) => sign <= 0.0,
+        }
+    }
+
+    fn offset(self, b: DVec2) -> f64 {
+        match self.rule {
+            HalfRule::Bisector => b.length_squared(),
+            HalfRule::RightAngle => 0.0,
+        }
+    }
+
+    /// A number with the sign of 2 a.b - b.b, or of a.b.
+    ///
+    /// Differences are split into a rounded value and its error, so that the polynomial becomes a
+    /// sum of products of two doubles. Coordinates are multiples of 2^-194 below 2^202: no product
+    /// under- or overflows.
+    fn exact(self, q: DVec2) -> f64 {
+        let mut sum = Expansion::default();
+        for axis in 0..2 {
+            let a = two_diff(q[axis], self.s[axis]);
+            let b = two_diff(self.n0[axis], self.s[axis]);
+            for b_part in b {
+                for a_part in a {
+                    sum.add_product(2.0 * a_part, b_part);
+                }
+                if self.rule == HalfRule::Bisector {
+                    for other in b {
+                        sum.add_product(-b_part, other);
+                    }
+                }
+            }
+        }
+        sum.sign()
+    }
+}
+
+/// `x - y` as a rounded value and its error, exactly (Knuth).
+fn two_diff(x: f64, y: f64) -> [f64; 2] {
+    two_sum(x, -y)
+}
+
+/// `x + y` as a rounded value and its error, exactly (Knuth).
+fn two_sum(x: f64, y: f64) -> [f64; 2] {
+    let sum = x + y;
+    let y_virtual = sum - x;
+    let x_virtual = sum - y_virtual;
+    [sum, (x - x_virtual) + (y - y_virtual)]
+}
+
+/// A sum of up to 16 products of doubles without rounding error.
+///
+/// Its terms do not overlap and ascend in magnitude (Shewchuk 1997, "Adaptive precision
+/// floating-point arithmetic", theorem 10), so the last one that is not zero has the sign of all.
+#[derive(Default)]
+struct Expansion {
+    terms: [f64; 32],
+    len: usize,
+}
+
+impl Expansion {
+    fn add_product(&mut self, x: f64, y: f64) {
+        let product = x * y;
+        self.add(x.mul_add(y, -product));
+        self.add(product);
+    }
+
+    fn add(&mut self, value: f64) {
+        let mut carry = value;
+        for term in &mut self.terms[..self.len] {
+            [carry, *term] = two_sum(carry, *term);
+        }
+        if let Some(free) = self.terms.get_mut(self.len) {
+            *free = carry;
+            self.len += 1;
+        }
+    }
+
+    fn sign(&self) -> f64 {
+        let mut descending = self.terms[..self.len].iter().rev().copied();
+        descending.find(|&t| t != 0.0).unwrap_or(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Coordinates are `i * 2^-e`: an exact sign by integers.
+    fn contains_by_integers(rule: HalfRule, [s, n0, q]: [[i64; 2]; 3]) -> bool {
+        let sub = |p: [i64; 2], r: [i64; 2]| [i128::from(p[0] - r[0]), i128::from(p[1] - r[1])];
+        let dot = |p: [i128; 2], r: [i128; 2]| p[0] * r[0] + p[1] * r[1];
+        let (a, b) = (sub(q, s), sub(n0, s));
+        match rule {
+            HalfRule::Bisector => 2 * dot(a, b) < dot(b, b),
+            HalfRule::RightAngle => dot(a, b) <= 0,
+        }
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
+    fn point(p: [i64; 2], exponent: i32) -> DVec2 {
+        DVec2::new(p[0] as f64, p[1] as f64) * 2f64.powi(exponent)
+    }
+
+    fn near_a_line() -> impl Strategy<Value = [[i64; 2]; 3]> {
+        let wide = -(1i64 << 52)..1i64 << 52;
+        let small = -40i64..40;
+        // s and n0 anywhere or on a small grid; q a few units from the bisector or the normal in s.
+        (
+            prop::array::uniform4(prop_oneof![wide, small.clone()]),
+            [small.clone(), small.clone()],
+            -2i64..3,
+            any::<bool>(),
+        )
+            .prop_map(|([sx, sy, dx, dy], [ex, ey], t, on_bisector)| {
+                let (dx, dy) = (dx / 16, dy / 16);
+                let (sx, sy) = (sx / 4, sy / 4);
+                let half = i64::from(on_bisector);
+                let q = [
+                    sx + half * (dx / 2) - t * dy + ex / 20,
+                    sy + half * (dy / 2) + t * dx + ey / 20,
+                ];
+                [[sx, sy], [sx + dx, sy + dy], q]
+            })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #[test]
+        fn signs_are_those_of_integers(
+            at in near_a_line(),
+            exponent in prop_oneof![Just(-140), Just(0), Just(140)],
+        ) {
+            let [s, n0, q] = at.map(|p| point(p, exponent));
+            for rule in [HalfRule::Bisector, HalfRule::RightAngle] {
+                let plane = HalfPlane::new(rule, s, n0);
+                prop_assert_eq!(plane.contains(q), contains_by_integers(rule, at));
+                // Without the filter too.
+                let sign = plane.exact(q);
+                let exact = if rule == HalfRule::Bisector { sign < 0.0 } else { sign <= 0.0 };
+                prop_assert_eq!(exact, contains_by_integers(rule, at));
+            }
+        }
+    }
+}
