@@ -1,0 +1,152 @@
+//! HNN-Crust: S. Ohrhallinger, S. A. Mitchell, M. Wimmer, "Curve Reconstruction with Many Fewer
+//! Samples", Computer Graphics Forum 35(5) (SGP 2016), section 5.
+//!
+//! Every sample s chooses its nearest neighbour n0, and its half neighbour: the closest sample on
+//! its own side of the bisector of s and n0, that is the closest q with |qs| < |q n0|. An edge is
+//! kept if both of its ends chose it, so consecutive edges meet at 60 degrees or more, and an open
+//! curve ends by itself where the choice of its last sample is not returned.
+//!
+//! Correct for closed smooth curves with rho < 0.9 (Theorem 2) or epsilon < 0.47 (Theorem 3).
+//! Where it leaves a leaf on a curve that should be closed, the condition is violated.
+//!
+//! Local: the cost is that of finding neighbours, O(n log n) and nearly linear on curves.
+
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
+use rayon::prelude::*;
+
+use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::error::ReconstructError;
+use crate::neighbours::{HalfRule, Neighbours, neighbours};
+
+/// The edges on which both of their ends agree: [`HnnCrust::MUTUAL`].
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::hnn_crust;
+///
+/// let circle: Vec<DVec2> = (0..8)
+///     .map(|i| DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 8.0))
+///     .collect();
+/// let edges = hnn_crust(&PointSet::new(circle)?);
+/// assert_eq!(edges.len(), 8);
+/// assert!(edges.chains()[0].is_closed());
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn hnn_crust(points: &PointSet) -> EdgeSet {
+    HnnCrust::MUTUAL.reconstruct(points)
+}
+
+/// HNN-Crust with the choice of which chosen edges to keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HnnCrust {
+    /// Which of the chosen edges are kept.
+    pub keep: Keep,
+}
+
+/// Which of the edges that samples chose are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// Those that both ends chose: every vertex has degree 2 at most.
+    Mutual,
+    /// All: no choice is lost, but vertices may branch, and open curves whose termini are not
+    /// marked get extra edges at their ends.
+    Union,
+}
+
+impl HnnCrust {
+    /// The paper's algorithm and the default: edges reconstructed bijectively.
+    pub const MUTUAL: Self = Self { keep: Keep::Mutual };
+    /// The union of all choices; the same edges wherever the guarantee holds.
+    pub const UNION: Self = Self { keep: Keep::Union };
+}
+
+impl Reconstructor for HnnCrust {
+    fn info(&self) -> AlgorithmInfo {
+        AlgorithmInfo {
+            name: match self.keep {
+                Keep::Mutual => "hnn-crust",
+                Keep::Union => "hnn-crust-union",
+            },
+            citation: "Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer \
+                       Samples. SGP 2016",
+            guarantees: &[
+                Guarantee {
+                    condition: Condition::Rho,
+                    bound: 0.9,
+                },
+                Guarantee {
+                    condition: Condition::Epsilon,
+                    bound: 0.47,
+                },
+            ],
+            cost: "O(n log n)",
+            honours_termini: true,
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        keep_edges(&neighbours(points, HalfRule::Bisector), self.keep)
+    }
+
+    /// A terminus chooses its nearest neighbour only.
+    ///
+    /// ```
+    /// use curvecrust_geometry::{DVec2, PointId, PointSet};
+    /// use curvecrust_reconstruct::{HnnCrust, Reconstructor};
+    ///
+    /// // The corners of a rectangle, walked from 0 to 3: nothing says that the last side is open.
+    /// let corners = [(0.0, 0.0), (0.0, 2.0), (3.0, 2.0), (3.0, 0.0)];
+    /// let points = PointSet::new(corners.map(|(x, y)| DVec2::new(x, y)).to_vec())?;
+    /// assert_eq!(HnnCrust::MUTUAL.reconstruct(&points).len(), 4);
+    ///
+    /// let termini = [0, 3].map(PointId::from);
+    /// assert_eq!(HnnCrust::MUTUAL.reconstruct_open(&points, &termini)?.len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn reconstruct_open(
+        &self,
+        points: &PointSet,
+        termini: &[PointId],
+    ) -> Result<EdgeSet, ReconstructError> {
+        let count = points.len();
+        if let Some((index, &terminus)) =
+            termini.iter().enumerate().find(|(_, t)| t.index() >= count)
+        {
+            return Err(ReconstructError::TerminusNotAPoint {
+                index,
+                terminus,
+                count,
+            });
+        }
+        let mut chosen = neighbours(points, HalfRule::Bisector);
+        for terminus in termini {
+            chosen[terminus.index()].half = None;
+        }
+        Ok(keep_edges(&chosen, self.keep))
+    }
+}
+
+/// The edges that the ends agree on as `keep` demands, ascending.
+fn keep_edges(chosen: &[Neighbours], keep: Keep) -> EdgeSet {
+    let edges: Vec<Edge> = (0..chosen.len())
+        .into_par_iter()
+        .flat_map_iter(|index| {
+            let s = PointId::new(index);
+            let mut ends = choices(&chosen[index]);
+            ends.sort_unstable();
+            ends.into_iter().filter_map(move |q| {
+                let (s, q) = (s?, q?);
+                let returned = choices(&chosen[q.index()]).contains(&Some(s));
+                // An edge that both ends chose is reported by the smaller.
+                let reported = if returned { s < q } else { keep == Keep::Union };
+                Edge::new(s, q).filter(|_| reported)
+            })
+        })
+        .collect();
+    EdgeSet::new(chosen.len(), edges)
+}
+
+fn choices(of: &Neighbours) -> [Option<PointId>; 2] {
+    [of.nearest, of.half]
+}
