@@ -1,1 +1,29 @@
-//! Smooth plane curves as chains of cubic Béziers, from SVG or analytic, and their discretisation
+//! Smooth plane curves as chains of cubic Béziers, from SVG or analytic, and their discretisation.
+//!
+//! The ground truth of curvecrust: what is sampled, and what a reconstruction is judged by.
+//!
+//! | module | types | what they promise |
+//! |---|---|---|
+//! | [`curve`] | [`Curve`], [`CurveParam`] | smooth, finite, every join exactly tangent |
+//! | [`component`] | [`Component`] | one open or closed chain |
+//! | [`bezier`] | [`CubicBezier`] | points, derivatives, tangents |
+//! | [`dense`] | [`DenseCurve`] | dense points with their parameters, in curve order |
+//! | [`error`] | [`CurveError`], [`DenseError`], [`AnalyticError`] | the place, and what to do |
+//!
+//! Points are [`glam::DVec2`].
+
+mod arc;
+pub mod bezier;
+pub mod component;
+pub mod curve;
+pub mod dense;
+pub mod error;
+mod path_data;
+mod smooth;
+pub mod svg;
+
+pub use bezier::CubicBezier;
+pub use component::Component;
+pub use curve::{Curve, CurveParam};
+pub use dense::{DENSE_LIMIT, DenseComponent, DenseCurve};
+pub use error::{AnalyticError, CurveError, DenseError};

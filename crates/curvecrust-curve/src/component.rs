@@ -1,0 +1,66 @@
+//! Components: the connected pieces of a curve, and the rule by which a subpath is closed.
+
+use crate::bezier::CubicBezier;
+use crate::curve::bounds;
+
+/// A chain of cubic Béziers, open or closed.
+///
+/// By itself a plain value; [`Curve::new`](crate::Curve::new) checks it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    segments: Vec<CubicBezier>,
+    closed: bool,
+}
+
+/// Ends that are nearer than this fraction of the extent of their subpath meet.
+const CLOSING_GAP: f64 = 1e-6;
+
+impl Component {
+    /// The chain of the given segments, which is closed if the last ends where the first starts
+    /// and `closed` says so.
+    ///
+    /// Segments whose four control points are equal draw nothing and are left out.
+    #[must_use]
+    pub fn new(mut segments: Vec<CubicBezier>, closed: bool) -> Self {
+        segments.retain(|s| !s.is_point());
+        Self { segments, closed }
+    }
+
+    /// A subpath of SVG, which is closed by `Z`, or when its ends meet within 1e-6 of its extent.
+    pub(crate) fn from_subpath(segments: Vec<CubicBezier>, z: bool) -> Self {
+        let mut component = Self::new(segments, z);
+        let segments = &mut component.segments;
+        let (low, high) = bounds(segments.iter());
+        let (Some(first), Some(last)) = (segments.first().copied(), segments.last_mut()) else {
+            return component;
+        };
+        let gap = first.start() - last.end();
+        if gap.length() <= CLOSING_GAP * (high - low).max_element() {
+            // The handle goes along, so that the tangent stays.
+            let [p0, p1, p2, _] = last.control_points();
+            *last = CubicBezier::new([p0, p1, p2 + gap, first.start()]);
+            component.closed = true;
+        } else if z {
+            let closing = CubicBezier::line(last.end(), first.start());
+            segments.push(closing);
+        }
+        component
+    }
+
+    /// The segments, in order along the component.
+    #[must_use]
+    pub fn segments(&self) -> &[CubicBezier] {
+        &self.segments
+    }
+
+    /// Whether the end of the last segment is the start of the first.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    pub(crate) fn map(&self, f: impl Fn(glam::DVec2) -> glam::DVec2) -> Self {
+        let segments = self.segments.iter().map(|s| s.map(&f)).collect();
+        Self::new(segments, self.closed)
+    }
+}

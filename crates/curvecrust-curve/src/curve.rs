@@ -1,0 +1,225 @@
+//! Smooth curves: chains of cubic Béziers that are known to be smooth.
+
+use curvecrust_geometry::PointSet;
+use glam::DVec2;
+
+use crate::bezier::CubicBezier;
+use crate::error::CurveError;
+use crate::{component::Component, path_data, smooth, svg};
+
+/// A place on a [`Curve`]; ordered along the curve.
+///
+/// The end of one segment and the start of the next are the same point under two names; the
+/// discretisations use the start, save at the end of an open component.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct CurveParam {
+    /// Index of the component.
+    pub component: u32,
+    /// Index of the segment in the component.
+    pub segment: u32,
+    /// Parameter in the segment, in [0, 1].
+    pub t: f64,
+}
+
+/// Smooth curves of the plane: one or more open or closed components.
+///
+/// # Guarantees
+/// - There is at least one component, and each has positive length.
+/// - Every coordinate of a control point is finite and within [`PointSet::MAX_MAGNITUDE`]; those
+///   below [`PointSet::MIN_MAGNITUDE`] are 0.
+/// - No segment is a single point; each starts where the one before it ends, and the last of a
+///   closed component ends where the first starts.
+/// - The tangent is continuous: it is the same on both sides of every join (up to rounding), and no
+///   segment has a cusp inside.
+///
+/// That components cross or touch, themselves or each other, is for the medial axis to find.
+///
+/// # Joins that are nearly smooth
+/// Drawn and rounded paths seldom have joins that are exactly smooth. Angles below 1 degree are
+/// taken away: both handles are turned to their mean direction, with their lengths and all end
+/// points kept. Else the medial axis would grow a branch into each tiny corner, and the local
+/// feature size would go to zero there, the more so the finer the discretisation. A handle of
+/// length zero has no direction of its own; there the other segment's handle takes the whole turn.
+///
+/// ```
+/// use curvecrust_curve::{Curve, CurveError};
+///
+/// let arch = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0")?;
+/// assert_eq!(arch.extent(), 6.0);
+/// assert!(!arch.components()[0].is_closed());
+///
+/// let hook = Curve::from_path_data("M 0 0 H 1 V 1");
+/// assert!(matches!(hook, Err(CurveError::Corner { segment: 1, .. })));
+/// # Ok::<(), CurveError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    components: Vec<Component>,
+}
+
+impl Curve {
+    /// Takes components in their order, checks them and makes their joins exactly smooth.
+    ///
+    /// # Errors
+    /// The first component, in it the first segment or join, that breaks a guarantee; or
+    /// [`CurveError::Empty`].
+    pub fn new(components: Vec<Component>) -> Result<Self, CurveError> {
+        if components.is_empty() {
+            return Err(CurveError::Empty);
+        }
+        let check = |(index, component): (usize, Component)| {
+            let mut segments = validated(index, &component)?;
+            smooth::check_cusps(index, &segments)?;
+            smooth::smooth_joins(index, &mut segments, component.is_closed())?;
+            Ok(Component::new(segments, component.is_closed()))
+        };
+        let components = components.into_iter().enumerate().map(check);
+        Ok(Self {
+            components: components.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// The curve of an SVG path string (the `d` attribute), in double precision.
+    ///
+    /// Each subpath that draws something is a component. It is closed by `Z` (with a straight
+    /// segment if there is a gap), or if its ends meet within 1e-6 of its extent; the end is then
+    /// put on the start. A `M` without a segment after it draws nothing and is no component.
+    /// Elliptical arcs become cubics of at most 1/16 turn, within 1e-7 of their radius.
+    ///
+    /// # Errors
+    /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds; a subpath without
+    /// length is an error.
+    pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
+        Self::new(path_data::parse(d)?)
+    }
+
+    /// The curves of an SVG document: all its paths and shapes in document order, in the user
+    /// space of the root element and in double precision.
+    ///
+    /// See [`svg`] for what is read, and what is refused.
+    ///
+    /// # Errors
+    /// [`CurveError::Xml`], or [`CurveError::InElement`] with the element at fault.
+    pub fn from_svg(document: &str) -> Result<Self, CurveError> {
+        let shapes = svg::parse(document)?;
+        let (elements, components): (Vec<_>, Vec<_>) = shapes.into_iter().unzip();
+        Self::new(components).map_err(|error| {
+            match error.component().and_then(|c| elements.get(c)) {
+                Some(element) => error.within(element),
+                None => error,
+            }
+        })
+    }
+
+    /// The components, in the order in which they were given.
+    #[must_use]
+    pub fn components(&self) -> &[Component] {
+        &self.components
+    }
+
+    /// The smallest box around the curve, not around its control points: its corners with the
+    /// smallest and the largest coordinates.
+    #[must_use]
+    pub fn bounding_box(&self) -> (DVec2, DVec2) {
+        bounds(self.components.iter().flat_map(Component::segments))
+    }
+
+    /// The larger side of the bounding box; positive.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let (low, high) = self.bounding_box();
+        (high - low).max_element()
+    }
+
+    /// The point at a parameter.
+    ///
+    /// # Panics
+    /// If the curve has no such component or segment.
+    #[must_use]
+    pub fn point(&self, at: CurveParam) -> DVec2 {
+        self.segment(at).point(at.t)
+    }
+
+    /// The unit tangent at a parameter, in the direction of the curve; the limit of the tangents
+    /// inside the segment where a control arm has no length.
+    ///
+    /// # Panics
+    /// If the curve has no such component or segment.
+    #[must_use]
+    pub fn tangent(&self, at: CurveParam) -> DVec2 {
+        self.segment(at).tangent(at.t)
+    }
+
+    fn segment(&self, at: CurveParam) -> &CubicBezier {
+        &self.components[at.component as usize].segments()[at.segment as usize]
+    }
+}
+
+/// The common bounding box of segments.
+pub(crate) fn bounds<'a>(segments: impl IntoIterator<Item = &'a CubicBezier>) -> (DVec2, DVec2) {
+    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    segments
+        .into_iter()
+        .map(CubicBezier::bounding_box)
+        .fold(empty, |a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// The segments of a component, once their coordinates and ends are known to be sound.
+fn validated(index: usize, component: &Component) -> Result<Vec<CubicBezier>, CurveError> {
+    for (segment, bezier) in component.segments().iter().enumerate() {
+        for at in bezier.control_points() {
+            if !at.is_finite() {
+                return Err(CurveError::NotFinite {
+                    component: index,
+                    segment,
+                    at,
+                });
+            }
+            if let Some(value) = [at.x, at.y]
+                .into_iter()
+                .find(|v| v.abs() > PointSet::MAX_MAGNITUDE)
+            {
+                return Err(CurveError::Magnitude {
+                    component: index,
+                    segment,
+                    value,
+                });
+            }
+        }
+    }
+    let carried = component.segments().iter().map(|s| s.map(without_dust));
+    let segments: Vec<_> = carried.filter(|s| !s.is_point()).collect();
+    let Some(last) = segments.last() else {
+        return Err(CurveError::ZeroLength { component: index });
+    };
+    let mut end = if component.is_closed() {
+        last.end()
+    } else {
+        segments[0].start()
+    };
+    for (segment, bezier) in segments.iter().enumerate() {
+        let start = bezier.start();
+        if start != end {
+            return Err(CurveError::Gap {
+                component: index,
+                segment,
+                start,
+                end,
+            });
+        }
+        end = bezier.end();
+    }
+    Ok(segments)
+}
+
+/// Coordinates that exact predicates cannot tell from 0 become 0.
+pub(crate) fn without_dust(p: DVec2) -> DVec2 {
+    let carried = |v: f64| {
+        if v.abs() < PointSet::MIN_MAGNITUDE {
+            0.0
+        } else {
+            v
+        }
+    };
+    DVec2::new(carried(p.x), carried(p.y))
+}

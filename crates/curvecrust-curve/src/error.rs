@@ -1,0 +1,267 @@
+//! What can be wrong with curves, documents and discretisations: the place, and what to do.
+
+use curvecrust_geometry::PointSet;
+use glam::DVec2;
+use thiserror::Error;
+
+use crate::dense::DENSE_LIMIT;
+
+/// Why path data, a document or components are not a [`Curve`](crate::Curve).
+///
+/// Components are counted in document order, segments from the start of their component, both from
+/// 0 and without the segments of zero length.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum CurveError {
+    /// There is nothing to make a curve of.
+    #[error("there is no curve: draw at least one path or shape")]
+    Empty,
+    /// A component has no segment, or only segments of zero length.
+    #[error("component {component} has no length: remove it")]
+    ZeroLength {
+        /// Index of the component.
+        component: usize,
+    },
+    /// A coordinate of a control point is NaN or infinite.
+    #[error(
+        "component {component}, segment {segment} has the control point ({}, {}): \
+         coordinates must be finite",
+        at.x, at.y
+    )]
+    NotFinite {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment.
+        segment: usize,
+        /// The control point.
+        at: DVec2,
+    },
+    /// A coordinate is too large for the exact predicates.
+    #[error(
+        "component {component}, segment {segment} has the coordinate {value:e}: \
+         scale the curve so that no coordinate exceeds {:e}",
+        PointSet::MAX_MAGNITUDE
+    )]
+    Magnitude {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment.
+        segment: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A segment does not start where the one before it ends.
+    #[error(
+        "component {component}, segment {segment} starts at ({}, {}), but the one before it ends at \
+         ({}, {}): join them, or make two components",
+        start.x, start.y, end.x, end.y
+    )]
+    Gap {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment; 0 for the gap between the ends of a closed component.
+        segment: usize,
+        /// Where the segment starts.
+        start: DVec2,
+        /// Where the segment before it ends.
+        end: DVec2,
+    },
+    /// Two segments meet at an angle.
+    #[error(
+        "component {component} has a corner of {angle_deg:.3} degrees at the start of segment \
+         {segment}, at ({}, {}): curves must be smooth, so round it off, or split the path there",
+        at.x, at.y
+    )]
+    Corner {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment that starts at the corner.
+        segment: usize,
+        /// The angle between the tangents, in degrees; 0 is smooth.
+        angle_deg: f64,
+        /// The corner.
+        at: DVec2,
+    },
+    /// Two segments meet at a small angle, and neither has a handle that could be turned.
+    #[error(
+        "component {component} has a corner of {angle_deg:e} degrees at the start of segment \
+         {segment}, at ({}, {}), where both handles have no length: draw them out into one line",
+        at.x, at.y
+    )]
+    NoHandle {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment that starts at the corner.
+        segment: usize,
+        /// The angle between the tangents, in degrees.
+        angle_deg: f64,
+        /// The corner.
+        at: DVec2,
+    },
+    /// The curve turns round on the spot inside a segment.
+    #[error(
+        "component {component}, segment {segment} has a cusp at t = {t}, at ({}, {}): \
+         curves must be smooth, so move its handles",
+        at.x, at.y
+    )]
+    Cusp {
+        /// Index of the component.
+        component: usize,
+        /// Index of the segment.
+        segment: usize,
+        /// The parameter of the cusp.
+        t: f64,
+        /// The cusp.
+        at: DVec2,
+    },
+    /// Path data does not follow the grammar of SVG.
+    #[error("path data is malformed at character {position}: {message}")]
+    PathData {
+        /// Position in the path data, in characters from 1; one past the end if it ends too early.
+        position: usize,
+        /// What is wrong there, and what to do.
+        message: String,
+    },
+    /// The document is not well-formed XML.
+    #[error("malformed XML at line {line}, column {column}: {message}")]
+    Xml {
+        /// The line, from 1.
+        line: u32,
+        /// The column, from 1.
+        column: u32,
+        /// What is wrong there.
+        message: String,
+    },
+    /// The document is XML, but not SVG.
+    #[error(
+        "the root element is <{name}>: it must be <svg> with xmlns=\"http://www.w3.org/2000/svg\""
+    )]
+    NotSvg {
+        /// Name of the root element.
+        name: String,
+    },
+    /// An attribute has a value that cannot be used.
+    #[error("{name}=\"{value}\" {message}")]
+    Attribute {
+        /// The attribute.
+        name: String,
+        /// Its value; empty if it is missing.
+        value: String,
+        /// What is wrong with it, and what to do.
+        message: String,
+    },
+    /// The document holds something that this crate does not turn into a curve.
+    #[error("{what}")]
+    Unsupported {
+        /// What it is, and what to do.
+        what: String,
+    },
+    /// An element of a document is at fault.
+    #[error("{element}: {error}")]
+    InElement {
+        /// The element: its name, its id if it has one, and its line.
+        element: String,
+        /// What is wrong with it.
+        error: Box<Self>,
+    },
+}
+
+impl CurveError {
+    /// The component at fault, if it is one.
+    pub(crate) fn component(&self) -> Option<usize> {
+        match *self {
+            Self::ZeroLength { component }
+            | Self::NotFinite { component, .. }
+            | Self::Magnitude { component, .. }
+            | Self::Gap { component, .. }
+            | Self::Corner { component, .. }
+            | Self::NoHandle { component, .. }
+            | Self::Cusp { component, .. } => Some(component),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn within(self, element: impl Into<String>) -> Self {
+        Self::InElement {
+            element: element.into(),
+            error: Box::new(self),
+        }
+    }
+}
+
+/// Why points are not a [`DenseCurve`](crate::DenseCurve).
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum DenseError {
+    /// A segment, quarter or gap was to be cut into no piece at all.
+    #[error("0 pieces at index {index}: every part of a curve needs at least 1")]
+    NoPieces {
+        /// Index of the gap; 0 if the number is that of all segments.
+        index: usize,
+    },
+    /// There would be too many points.
+    #[error("{count} dense points, but at most {DENSE_LIMIT} are supported: ask for fewer")]
+    TooMany {
+        /// The number of points asked for.
+        count: u64,
+    },
+    /// Two lists that belong together differ in length.
+    #[error("{points} points, but {other} {what}: give one for each")]
+    Lengths {
+        /// The number of points.
+        points: usize,
+        /// The number of the other things.
+        other: usize,
+        /// What they are.
+        what: &'static str,
+    },
+    /// A coordinate is not finite, or outside of the range of a [`PointSet`].
+    #[error("dense point {index} is ({}, {}), which is out of range: scale the curve", at.x, at.y)]
+    Coordinate {
+        /// Index of the point.
+        index: usize,
+        /// The point.
+        at: DVec2,
+    },
+    /// Component ranges do not follow each other without gaps, are empty, or do not cover all points.
+    #[error("component {component} does not start where the one before it ends, or holds no point")]
+    Range {
+        /// Index of the component, or the number of components if points are left over.
+        component: usize,
+    },
+    /// A parameter is out of range, of another component, or not after the one before it.
+    #[error(
+        "dense point {index} has a parameter that its component or curve does not have, \
+         or that does not come after that of the point before it"
+    )]
+    Param {
+        /// Index of the point.
+        index: usize,
+    },
+}
+
+/// Why numbers are not the measures of an analytic curve.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum AnalyticError {
+    /// A length is not a positive number of a magnitude that points can carry.
+    #[error("{name} is {value}: it must be positive and at most 1e50")]
+    NotPositive {
+        /// The measure.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Two lengths are in the wrong order.
+    #[error("{larger} is {larger_value} and {smaller} {smaller_value}: exchange or change them")]
+    Order {
+        /// The measure that must be the larger one.
+        larger: &'static str,
+        /// Its value.
+        larger_value: f64,
+        /// The measure that must be the smaller one.
+        smaller: &'static str,
+        /// Its value.
+        smaller_value: f64,
+    },
+}

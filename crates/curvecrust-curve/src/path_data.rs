@@ -1,0 +1,188 @@
+//! SVG path strings, the `d` attribute, in double precision and by the strict grammar.
+
+use glam::DVec2;
+use svgtypes::{PathParser, PathSegment};
+
+use crate::arc::Arc;
+use crate::bezier::CubicBezier;
+use crate::component::Component;
+use crate::error::CurveError;
+
+/// The subpaths of a path string that draw something, not yet checked for smoothness.
+pub(crate) fn parse(d: &str) -> Result<Vec<Component>, CurveError> {
+    let mut path = Pen::default();
+    for command in PathParser::from(d) {
+        path.draw(command.map_err(|error| malformed(d, &error))?);
+    }
+    Ok(path.finish())
+}
+
+/// An error of the parser, with the position that it may lack.
+fn malformed(d: &str, error: &svgtypes::Error) -> CurveError {
+    use svgtypes::Error;
+    let end = d.chars().count() + 1;
+    let expected = "give a command with all its numbers";
+    let (position, message) = match *error {
+        Error::UnexpectedEndOfStream => (end, format!("it ends too early; {expected}")),
+        Error::InvalidNumber(position) if position >= end => {
+            (end, format!("it ends too early; {expected}"))
+        }
+        Error::InvalidNumber(position) => {
+            (position, "give a number that is finite here".to_owned())
+        }
+        Error::UnexpectedData(position) if position == 1 => {
+            (position, "start with the command M or m".to_owned())
+        }
+        Error::UnexpectedData(position)
+        | Error::InvalidChar(_, position)
+        | Error::InvalidString(_, position) => (position, format!("unexpected; {expected}")),
+        _ => (end, error.to_string()),
+    };
+    CurveError::PathData { position, message }
+}
+
+/// The handle that a following `S` or `T` reflects.
+#[derive(Clone, Copy, Default)]
+enum LastHandle {
+    #[default]
+    None,
+    Cubic(DVec2),
+    Quadratic(DVec2),
+}
+
+/// The state while drawing a path.
+#[derive(Default)]
+pub(crate) struct Pen {
+    done: Vec<Component>,
+    segments: Vec<CubicBezier>,
+    start: DVec2,
+    at: DVec2,
+    handle: LastHandle,
+    moved_only: bool,
+}
+
+impl Pen {
+    fn draw(&mut self, command: PathSegment) {
+        let origin = if command.is_abs() {
+            DVec2::ZERO
+        } else {
+            self.at
+        };
+        let point = |x, y| origin + DVec2::new(x, y);
+        match command {
+            PathSegment::MoveTo { x, y, .. } => self.move_to(point(x, y)),
+            PathSegment::LineTo { x, y, .. } => self.line_to(point(x, y)),
+            PathSegment::HorizontalLineTo { x, .. } => {
+                self.line_to(DVec2::new(origin.x + x, self.at.y));
+            }
+            PathSegment::VerticalLineTo { y, .. } => {
+                self.line_to(DVec2::new(self.at.x, origin.y + y));
+            }
+            PathSegment::CurveTo {
+                x1,
+                y1,
+                x2,
+                y2,
+                x,
+                y,
+                ..
+            } => self.cubic_to(point(x1, y1), point(x2, y2), point(x, y)),
+            PathSegment::SmoothCurveTo { x2, y2, x, y, .. } => {
+                let first = match self.handle {
+                    LastHandle::Cubic(handle) => 2.0 * self.at - handle,
+                    _ => self.at,
+                };
+                self.cubic_to(first, point(x2, y2), point(x, y));
+            }
+            PathSegment::Quadratic { x1, y1, x, y, .. } => {
+                self.quadratic_to(point(x1, y1), point(x, y));
+            }
+            PathSegment::SmoothQuadratic { x, y, .. } => {
+                let middle = match self.handle {
+                    LastHandle::Quadratic(handle) => 2.0 * self.at - handle,
+                    _ => self.at,
+                };
+                self.quadratic_to(middle, point(x, y));
+            }
+            PathSegment::EllipticalArc {
+                rx,
+                ry,
+                x_axis_rotation,
+                large_arc,
+                sweep,
+                x,
+                y,
+                ..
+            } => self.arc_to(&Arc {
+                from: self.at,
+                to: point(x, y),
+                radii: DVec2::new(rx, ry),
+                rotation_deg: x_axis_rotation,
+                large: large_arc,
+                sweep,
+            }),
+            PathSegment::ClosePath { .. } => self.close(),
+        }
+    }
+
+    pub(crate) fn move_to(&mut self, to: DVec2) {
+        self.end_subpath(false);
+        (self.start, self.at) = (to, to);
+        self.moved_only = true;
+        self.handle = LastHandle::None;
+    }
+
+    pub(crate) fn line_to(&mut self, to: DVec2) {
+        self.push(CubicBezier::line(self.at, to), LastHandle::None);
+    }
+
+    pub(crate) fn arc_to(&mut self, arc: &Arc) {
+        for piece in arc.to_cubics() {
+            self.push(piece, LastHandle::None);
+        }
+        self.at = arc.to;
+        self.moved_only = false;
+        self.handle = LastHandle::None;
+    }
+
+    /// Ends the subpath at its start; what follows without a move starts there again.
+    pub(crate) fn close(&mut self) {
+        self.moved_only = false;
+        self.end_subpath(true);
+        self.at = self.start;
+        self.moved_only = true;
+        self.handle = LastHandle::None;
+    }
+
+    /// The subpaths that have been drawn.
+    pub(crate) fn finish(mut self) -> Vec<Component> {
+        self.end_subpath(false);
+        self.done
+    }
+
+    fn cubic_to(&mut self, first: DVec2, second: DVec2, to: DVec2) {
+        let bezier = CubicBezier::new([self.at, first, second, to]);
+        self.push(bezier, LastHandle::Cubic(second));
+    }
+
+    fn quadratic_to(&mut self, middle: DVec2, to: DVec2) {
+        let bezier = CubicBezier::quadratic(self.at, middle, to);
+        self.push(bezier, LastHandle::Quadratic(middle));
+    }
+
+    fn push(&mut self, bezier: CubicBezier, handle: LastHandle) {
+        self.segments.push(bezier);
+        self.at = bezier.end();
+        self.handle = handle;
+        self.moved_only = false;
+    }
+
+    /// A subpath with commands but without length is kept, for the error it deserves.
+    fn end_subpath(&mut self, z: bool) {
+        let segments = std::mem::take(&mut self.segments);
+        let drawn = !segments.is_empty() || z;
+        if drawn || !self.moved_only && !self.done.is_empty() {
+            self.done.push(Component::from_subpath(segments, z));
+        }
+    }
+}
