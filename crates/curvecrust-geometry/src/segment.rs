@@ -27,19 +27,17 @@ impl Segment {
     /// The point of the segment closest to `p`.
     #[must_use]
     pub fn closest_point(self, p: DVec2) -> DVec2 {
-        let along = self.b - self.a;
-        let squared = along.length_squared();
-        if squared > 0.0 {
-            let t = (p - self.a).dot(along) / squared;
-            // From the nearer end, so that the far end is met exactly.
-            if t <= 0.5 {
-                self.a + along * t.max(0.0)
-            } else {
-                self.b - along * (1.0 - t).max(0.0)
-            }
+        // From the end nearer to p: a far end, perhaps very far, costs no digits.
+        let (near, far) = if p.distance_squared(self.a) <= p.distance_squared(self.b) {
+            (self.a, self.b)
         } else {
-            self.a
-        }
+            (self.b, self.a)
+        };
+        let along = far - near;
+        let t = (p - near).dot(along) / along.length_squared();
+        // The foot is behind the near end, or the segment is a point (t is NaN); it is never
+        // beyond the far end, which is not the nearer one.
+        if t > 0.0 { near + along * t } else { near }
     }
 
     /// The squared distance from `p` to the segment.
@@ -60,5 +58,28 @@ impl Segment {
     #[must_use]
     pub fn distance(self, p: DVec2) -> f64 {
         self.distance_squared(p).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_far_end_costs_no_digits() {
+        let far = DVec2::new(1e20, 1e20);
+        let p = DVec2::new(0.0, 2.0);
+        for segment in [
+            Segment::new(DVec2::ZERO, far),
+            Segment::new(far, DVec2::ZERO),
+        ] {
+            assert!((segment.distance(p) - 2f64.sqrt()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_point_is_a_segment() {
+        let segment = Segment::new(DVec2::X, DVec2::X);
+        assert_eq!(segment.closest_point(DVec2::new(1.0, 7.0)), DVec2::X);
     }
 }

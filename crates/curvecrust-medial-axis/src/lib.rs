@@ -1,1 +1,35 @@
-//! Medial axis, local feature size and reach of smooth plane curves
+//! Medial axis, local feature size (lfs) and reach of smooth plane curves, and the discretisation
+//! that they are computed on.
+//!
+//! | module | what it gives | source |
+//! |---|---|---|
+//! | [`axis`] | [`MedialAxis`] of a discretised curve, from the Voronoi diagram of its points | Amenta, Bern, Eppstein 1998 |
+//! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4, Definition 2 |
+//! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
+//! | [`discretise`] | [`Discretisation`]: the paper's points, or as many as the lfs asks for | |
+//!
+//! ```
+//! use curvecrust_curve::Curve;
+//! use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+//!
+//! // A stadium: two half circles of radius 1 joined by lines of length 4.
+//! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
+//! let curve = Curve::from_path_data(d)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.05 }, Estimator::Voronoi)?;
+//! // Its medial axis is the core segment: lfs is 1 everywhere.
+//! assert!((measured.lfs.at(0) - 1.0).abs() < 1e-3);
+//! assert!((measured.lfs.minimum() - 1.0).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod axis;
+mod crossing;
+pub mod discretise;
+pub mod error;
+pub mod lfs;
+pub mod shrinking_ball;
+
+pub use axis::{AxisEdge, MedialAxis};
+pub use discretise::{Discretisation, Estimator, Measured, measure};
+pub use error::MedialAxisError;
+pub use lfs::LocalFeatureSize;

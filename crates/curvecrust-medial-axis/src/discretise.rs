@@ -1,0 +1,158 @@
+//! How a curve is made into dense points, and all that is measured on them.
+
+use curvecrust_curve::{Curve, CurveParam, DenseCurve};
+
+use crate::axis::MedialAxis;
+use crate::crossing::{self, chord};
+use crate::error::MedialAxisError;
+use crate::lfs::LocalFeatureSize;
+use crate::shrinking_ball;
+
+/// How dense points are chosen on a smooth curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Discretisation {
+    /// As many points on every cubic segment, at equal steps of its parameter; 300 in the paper.
+    PerSegment(u32),
+    /// As many points as needed: the gap between neighbours is at most this fraction of the lfs at
+    /// both of them, and at most this fraction of the radius of curvature.
+    Adaptive {
+        /// The fraction, above 0 and at most 1.
+        gap_to_lfs: f64,
+    },
+}
+
+/// How lfs is estimated from dense points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Estimator {
+    /// The distance to the medial axis by the Voronoi diagram: see [`axis`](crate::axis).
+    Voronoi,
+    /// The distance to the authors' medial points: see [`shrinking_ball`].
+    ShrinkingBall,
+}
+
+/// A discretised curve and its local feature size.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// The dense points.
+    pub dense: DenseCurve,
+    /// The lfs at each of them.
+    pub lfs: LocalFeatureSize,
+}
+
+/// The number of points a segment that refinement starts from.
+const START: u32 = 16;
+/// A gap is split into at most so many parts at once: lfs on a coarse discretisation is a guess.
+const SPLIT: f64 = 8.0;
+/// Curves nearer than this fraction of their extent count as touching.
+const TOUCHING: f64 = 1e-7;
+/// Rounds in which gaps that another part of the curve spans may remain most of all: curves that
+/// lie on each other would be refined without end.
+const OVERLAP_ROUNDS: usize = 6;
+
+/// Discretises a curve and estimates its lfs.
+///
+/// # Errors
+/// [`GapToLfs`](MedialAxisError::GapToLfs), [`Dense`](MedialAxisError::Dense) for more points than
+/// the limit, and where the curve crosses or touches itself or another, or is discretised too
+/// coarsely to tell.
+pub fn measure(
+    curve: &Curve,
+    discretisation: Discretisation,
+    estimator: Estimator,
+) -> Result<Measured, MedialAxisError> {
+    let (dense, lfs) = match discretisation {
+        Discretisation::PerSegment(n) => (DenseCurve::per_segment(curve, n)?, None),
+        Discretisation::Adaptive { gap_to_lfs } => {
+            let (dense, lfs) = refine(curve, gap_to_lfs)?;
+            (dense, Some(lfs))
+        }
+    };
+    let lfs = match (estimator, lfs) {
+        (Estimator::Voronoi, Some(lfs)) => lfs,
+        (Estimator::Voronoi, None) => LocalFeatureSize::new(&dense, &MedialAxis::new(&dense)?),
+        (Estimator::ShrinkingBall, _) => shrinking_ball::lfs(&dense),
+    };
+    Ok(Measured { dense, lfs })
+}
+
+/// Splits gaps until none is longer than `ratio` of the lfs at its ends.
+fn refine(curve: &Curve, ratio: f64) -> Result<(DenseCurve, LocalFeatureSize), MedialAxisError> {
+    if !(ratio > 0.0 && ratio <= 1.0) {
+        return Err(MedialAxisError::GapToLfs(ratio));
+    }
+    let distance = TOUCHING * curve.extent();
+    let mut dense = DenseCurve::per_segment(curve, START)?;
+    let mut round = 0;
+    loop {
+        let (axis, spanning) = MedialAxis::with_spanning_gaps(&dense)?;
+        let lfs = LocalFeatureSize::new(&dense, &axis);
+        let overlapping = round >= OVERLAP_ROUNDS && 2 * spanning.len() > dense.len();
+        let hopeless = |&i: &usize| overlapping || chord(&dense, i).length() < distance;
+        if let Some(gap) = spanning.iter().copied().find(hopeless) {
+            let touching = MedialAxisError::Touching {
+                at: dense.points()[gap],
+                distance,
+            };
+            return Err(crossing::find(&dense, &[gap]).unwrap_or(touching));
+        }
+        if spanning.is_empty()
+            && let Some(i) = (0..dense.len()).find(|&i| lfs.at(i) < distance)
+        {
+            let at = dense.points()[i];
+            return Err(MedialAxisError::Touching { at, distance });
+        }
+        let pieces = pieces(curve, &dense, &lfs, &spanning, ratio);
+        if pieces.iter().all(|&n| n == 1) {
+            return Ok((dense, lfs));
+        }
+        dense = dense.refined(curve, &pieces)?;
+        round += 1;
+    }
+}
+
+/// Into how many parts each gap is to be split.
+fn pieces(
+    curve: &Curve,
+    dense: &DenseCurve,
+    lfs: &LocalFeatureSize,
+    spanning: &[usize],
+    ratio: f64,
+) -> Vec<u32> {
+    let mut pieces: Vec<u32> = (0..dense.len())
+        .map(|i| {
+            let Some(next) = dense.next(i) else { return 1 };
+            let radius = radius_of_curvature(curve, dense.params()[i], dense.params()[next]);
+            let allowed = ratio * lfs.at(i).min(lfs.at(next)).min(radius);
+            let wanted = (chord(dense, i).length() / allowed)
+                .ceil()
+                .clamp(1.0, SPLIT);
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped; a NaN becomes 0"
+            )]
+            let wanted = wanted as u32;
+            wanted.max(1)
+        })
+        .collect();
+    for &gap in spanning {
+        pieces[gap] = pieces[gap].max(2);
+    }
+    pieces
+}
+
+/// The smaller radius of curvature at the two ends of a gap, seen from within its segment: an upper
+/// bound of lfs there, which a coarse medial axis may not show yet. Infinite where the curve does
+/// not bend or its parameter stands still.
+fn radius_of_curvature(curve: &Curve, from: CurveParam, to: CurveParam) -> f64 {
+    let component = &curve.components()[from.component as usize];
+    let bezier = &component.segments()[from.segment as usize];
+    let within = to.segment == from.segment && to.t > from.t;
+    let end = if within { to.t } else { 1.0 };
+    let radius = |t: f64| {
+        let (first, second) = (bezier.derivative(t), bezier.second_derivative(t));
+        let radius = first.length().powi(3) / first.perp_dot(second).abs();
+        if radius > 0.0 { radius } else { f64::INFINITY }
+    };
+    radius(from.t).min(radius(end))
+}
