@@ -30,13 +30,37 @@ pub enum Estimator {
     ShrinkingBall,
 }
 
-/// A discretised curve and its local feature size.
+/// A discretised curve and the local feature size at each of its dense points.
 #[derive(Clone, Debug)]
 pub struct Measured {
+    dense: DenseCurve,
+    lfs: LocalFeatureSize,
+}
+
+impl Measured {
+    /// Estimates the lfs of points that are dense already.
+    ///
+    /// # Errors
+    /// With [`Estimator::Voronoi`], those of [`MedialAxis::new`].
+    pub fn new(dense: DenseCurve, estimator: Estimator) -> Result<Self, MedialAxisError> {
+        let lfs = match estimator {
+            Estimator::Voronoi => LocalFeatureSize::new(&dense, &MedialAxis::new(&dense)?),
+            Estimator::ShrinkingBall => shrinking_ball::lfs(&dense),
+        };
+        Ok(Self { dense, lfs })
+    }
+
     /// The dense points.
-    pub dense: DenseCurve,
+    #[must_use]
+    pub fn dense(&self) -> &DenseCurve {
+        &self.dense
+    }
+
     /// The lfs at each of them.
-    pub lfs: LocalFeatureSize,
+    #[must_use]
+    pub fn lfs(&self) -> &LocalFeatureSize {
+        &self.lfs
+    }
 }
 
 /// The number of points a segment that refinement starts from.
@@ -60,23 +84,22 @@ pub fn measure(
     discretisation: Discretisation,
     estimator: Estimator,
 ) -> Result<Measured, MedialAxisError> {
-    let (dense, lfs) = match discretisation {
-        Discretisation::PerSegment(n) => (DenseCurve::per_segment(curve, n)?, None),
-        Discretisation::Adaptive { gap_to_lfs } => {
-            let (dense, lfs) = refine(curve, gap_to_lfs)?;
-            (dense, Some(lfs))
+    match discretisation {
+        Discretisation::PerSegment(n) => {
+            Measured::new(DenseCurve::per_segment(curve, n)?, estimator)
         }
-    };
-    let lfs = match (estimator, lfs) {
-        (Estimator::Voronoi, Some(lfs)) => lfs,
-        (Estimator::Voronoi, None) => LocalFeatureSize::new(&dense, &MedialAxis::new(&dense)?),
-        (Estimator::ShrinkingBall, _) => shrinking_ball::lfs(&dense),
-    };
-    Ok(Measured { dense, lfs })
+        Discretisation::Adaptive { gap_to_lfs } => {
+            let refined = refine(curve, gap_to_lfs)?;
+            match estimator {
+                Estimator::Voronoi => Ok(refined),
+                Estimator::ShrinkingBall => Measured::new(refined.dense, estimator),
+            }
+        }
+    }
 }
 
 /// Splits gaps until none is longer than `ratio` of the lfs at its ends.
-fn refine(curve: &Curve, ratio: f64) -> Result<(DenseCurve, LocalFeatureSize), MedialAxisError> {
+fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
     if !(ratio > 0.0 && ratio <= 1.0) {
         return Err(MedialAxisError::GapToLfs(ratio));
     }
@@ -103,7 +126,7 @@ fn refine(curve: &Curve, ratio: f64) -> Result<(DenseCurve, LocalFeatureSize), M
         }
         let pieces = pieces(curve, &dense, &lfs, &spanning, ratio);
         if pieces.iter().all(|&n| n == 1) {
-            return Ok((dense, lfs));
+            return Ok(Measured { dense, lfs });
         }
         dense = dense.refined(curve, &pieces)?;
         round += 1;

@@ -17,8 +17,8 @@
 //! let curve = Curve::from_path_data(d)?;
 //! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.05 }, Estimator::Voronoi)?;
 //! // Its medial axis is the core segment: lfs is 1 everywhere.
-//! assert!((measured.lfs.at(0) - 1.0).abs() < 1e-3);
-//! assert!((measured.lfs.minimum() - 1.0).abs() < 1e-3);
+//! assert!((measured.lfs().at(0) - 1.0).abs() < 1e-3);
+//! assert!((measured.lfs().minimum() - 1.0).abs() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

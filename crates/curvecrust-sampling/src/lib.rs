@@ -1,1 +1,35 @@
-//! Epsilon- and reach-based rho-sampling of smooth plane curves
+//! Sampling of smooth plane curves, as sparsely as a reconstruction theorem allows.
+//!
+//! J. Amenta's epsilon-samples and the reach-based rho-samples of S. Ohrhallinger, S. A. Mitchell,
+//! M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP 2016.
+//!
+//! | module | what it gives | source |
+//! |---|---|---|
+//! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
+//! | [`greedy`] | [`sample_greedy`]: the farthest next sample, as the authors' program does | Section 8.2 |
+//! | [`sampled_curve`] | [`SampledCurve`]: samples in curve order, and the [manifold boundary](SampledCurve::manifold_boundary) | Section 4 |
+//! | [`theory`] | what the bounds imply: angles, sample counts, distances | Lemmas 8 to 10, Theorem 1, Table 1 |
+//!
+//! ```
+//! use curvecrust_curve::Curve;
+//! use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+//! use curvecrust_sampling::{Condition, sample_greedy};
+//!
+//! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
+//! let curve = Curve::from_path_data(d)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+//! let sparse = sample_greedy(&measured, Condition::rho(0.9)?);
+//! let dense = sample_greedy(&measured, Condition::epsilon(1.0 / 3.0)?);
+//! assert!(2 * sparse.len() < dense.len());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod condition;
+pub mod greedy;
+mod interval;
+pub mod sampled_curve;
+pub mod theory;
+
+pub use condition::{Bound, Condition, ConditionError};
+pub use greedy::sample_greedy;
+pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};

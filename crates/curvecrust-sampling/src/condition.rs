@@ -1,0 +1,119 @@
+//! The sampling conditions.
+
+use thiserror::Error;
+
+/// How near a sample has to be to every point of the curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// Every curve point p has a sample nearer than this times lfs(p) (SGP 2016, Definition 1).
+    Epsilon(f64),
+    /// Every curve point p of the interval I between consecutive samples has one of them nearer
+    /// than this times reach(I) (SGP 2016, Definition 3).
+    Rho(f64),
+}
+
+/// A [`Bound`], and optionally how far the curve may be from the polygon of the samples.
+///
+/// # Guarantees
+/// The bound lies strictly between 0 and 1; the limit is finite or infinite, and above 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    bound: Bound,
+    hausdorff_limit: Option<f64>,
+}
+
+/// Why values do not form a [`Condition`].
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum ConditionError {
+    /// Epsilon is out of range.
+    #[error("epsilon is {0}: it must lie strictly between 0 and 1")]
+    Epsilon(f64),
+    /// Rho is out of range.
+    #[error("rho is {0}: it must lie strictly between 0 and 1")]
+    Rho(f64),
+    /// The Hausdorff limit is not a positive length.
+    #[error("the Hausdorff limit is {0}: it must be a length above 0")]
+    HausdorffLimit(f64),
+}
+
+impl Condition {
+    /// The epsilon-sampling condition. HNN-Crust is correct for epsilon < 0.47 (SGP 2016, Theorem 3).
+    ///
+    /// # Errors
+    /// If epsilon is not strictly between 0 and 1.
+    pub fn epsilon(epsilon: f64) -> Result<Self, ConditionError> {
+        let valid = within_unit(epsilon).then_some(Bound::Epsilon(epsilon));
+        Ok(Self::of(valid.ok_or(ConditionError::Epsilon(epsilon))?))
+    }
+
+    /// The rho-sampling condition. HNN-Crust is correct for rho < 0.9 (SGP 2016, Theorem 2).
+    ///
+    /// # Errors
+    /// If rho is not strictly between 0 and 1.
+    pub fn rho(rho: f64) -> Result<Self, ConditionError> {
+        let valid = within_unit(rho).then_some(Bound::Rho(rho));
+        Ok(Self::of(valid.ok_or(ConditionError::Rho(rho))?))
+    }
+
+    /// The same condition, and every point of an interval lies nearer than `limit` to the line
+    /// through its two samples. `limit` is a length in the unit of the curve.
+    ///
+    /// # Errors
+    /// If the limit is not above 0, or NaN.
+    pub fn with_hausdorff_limit(self, limit: f64) -> Result<Self, ConditionError> {
+        if limit > 0.0 {
+            Ok(Self {
+                hausdorff_limit: Some(limit),
+                ..self
+            })
+        } else {
+            Err(ConditionError::HausdorffLimit(limit))
+        }
+    }
+
+    /// The bound.
+    #[must_use]
+    pub fn bound(self) -> Bound {
+        self.bound
+    }
+
+    /// The Hausdorff limit, a length; `None` if the distance to the polygon does not matter.
+    #[must_use]
+    pub fn hausdorff_limit(self) -> Option<f64> {
+        self.hausdorff_limit
+    }
+
+    fn of(bound: Bound) -> Self {
+        Self {
+            bound,
+            hausdorff_limit: None,
+        }
+    }
+}
+
+fn within_unit(value: f64) -> bool {
+    value > 0.0 && value < 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_out_of_range_are_refused_by_name() {
+        for bad in [0.0, -0.1, 1.0, 1.5, f64::NAN, f64::INFINITY] {
+            let epsilon = Condition::epsilon(bad).unwrap_err().to_string();
+            assert!(
+                epsilon.starts_with(&format!("epsilon is {bad}")),
+                "{epsilon}"
+            );
+            assert!(Condition::rho(bad).is_err());
+        }
+        let rho = Condition::rho(0.9).unwrap();
+        for bad in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY] {
+            assert!(rho.with_hausdorff_limit(bad).is_err());
+        }
+        assert!(rho.with_hausdorff_limit(f64::INFINITY).is_ok());
+    }
+}
