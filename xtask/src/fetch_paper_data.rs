@@ -9,7 +9,7 @@ mod install;
 mod tests;
 
 use crate::root::root;
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, anyhow, bail, ensure};
 use git::Repository;
 use install::{File, files_below, install};
 use std::fs;
@@ -73,12 +73,14 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
 fn fetch(repository: &Repository<'_>) -> anyhow::Result<Vec<File>> {
     let scratch = tempfile::tempdir().context("cannot create a temporary folder")?;
     let clone = scratch.path().join("clone");
-    repository.clone_into(&clone).with_context(|| {
+    repository.clone_into(&clone).map_err(|error| {
         let Repository { url, commit, .. } = repository;
-        format!(
-            "cannot fetch the paper's data; by hand, where there is network and git: \
-             `git clone {url} DIR`, `git -C DIR checkout {commit}`, \
-             then `cargo xtask fetch-paper-data --from DIR`"
+        anyhow!(
+            "{error:#}\n\
+             By hand, where there is network and git:\n  \
+             git clone {url} DIR\n  \
+             git -C DIR checkout {commit}\n\
+             then: cargo xtask fetch-paper-data --from DIR"
         )
     })?;
     read(&clone)

@@ -264,7 +264,7 @@ fn without_git_or_network_it_says_what_to_do_by_hand() {
         }));
         assert!(said.contains(reason), "{said}");
         assert!(
-            said.contains("`git clone") && said.contains("--from DIR"),
+            said.contains("\n  git clone") && said.contains("--from DIR"),
             "{said}"
         );
     }
