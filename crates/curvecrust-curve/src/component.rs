@@ -1,5 +1,7 @@
 //! Components: the connected pieces of a curve, and the rule by which a subpath is closed.
 
+use glam::DVec2;
+
 use crate::bezier::CubicBezier;
 use crate::curve::bounds;
 
@@ -36,9 +38,10 @@ impl Component {
         };
         let gap = first.start() - last.end();
         if gap.length() <= CLOSING_GAP * (high - low).max_element() {
-            // The handle goes along, so that the tangent stays.
-            let [p0, p1, p2, _] = last.control_points();
-            *last = CubicBezier::new([p0, p1, p2 + gap, first.start()]);
+            // The handle goes along, so that the tangent stays; one without length keeps none.
+            let [p0, p1, p2, p3] = last.control_points();
+            let snapped = |p: DVec2, other: DVec2| if p == p3 { first.start() } else { other };
+            *last = CubicBezier::new([p0, snapped(p1, p1), snapped(p2, p2 + gap), first.start()]);
             component.closed = true;
         } else if z {
             let closing = CubicBezier::line(last.end(), first.start());
@@ -59,7 +62,7 @@ impl Component {
         self.closed
     }
 
-    pub(crate) fn map(&self, f: impl Fn(glam::DVec2) -> glam::DVec2) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(DVec2) -> DVec2) -> Self {
         let segments = self.segments.iter().map(|s| s.map(&f)).collect();
         Self::new(segments, self.closed)
     }

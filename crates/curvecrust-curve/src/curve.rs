@@ -101,14 +101,7 @@ impl Curve {
     /// # Errors
     /// [`CurveError::Xml`], or [`CurveError::InElement`] with the element at fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        let shapes = svg::parse(document)?;
-        let (elements, components): (Vec<_>, Vec<_>) = shapes.into_iter().unzip();
-        Self::new(components).map_err(|error| {
-            match error.component().and_then(|c| elements.get(c)) {
-                Some(element) => error.within(element),
-                None => error,
-            }
-        })
+        svg::parse(document)
     }
 
     /// The components, in the order in which they were given.

@@ -93,28 +93,21 @@ impl DenseCurve {
         let mut builder = Builder::default();
         for (component, whole) in (0u32..).zip(curve.components()) {
             builder.component(whole.is_closed(), |push| {
-                for (segment, bezier) in (0u32..).zip(whole.segments()) {
+                let segments = whole.segments();
+                for (segment, bezier) in (0u32..).zip(segments) {
+                    let mut push_at = |t| {
+                        let at = CurveParam {
+                            component,
+                            segment,
+                            t,
+                        };
+                        push(bezier.point(t), at);
+                    };
                     for i in 0..n {
-                        let t = f64::from(i) / f64::from(n);
-                        push(
-                            bezier.point(t),
-                            CurveParam {
-                                component,
-                                segment,
-                                t,
-                            },
-                        );
+                        push_at(f64::from(i) / f64::from(n));
                     }
-                    if !whole.is_closed() && segment as usize + 1 == whole.segments().len() {
-                        let t = 1.0;
-                        push(
-                            bezier.end(),
-                            CurveParam {
-                                component,
-                                segment,
-                                t,
-                            },
-                        );
+                    if !whole.is_closed() && segment as usize + 1 == segments.len() {
+                        push_at(1.0);
                     }
                 }
             });

@@ -8,10 +8,13 @@
 //! | [`component`] | [`Component`] | one open or closed chain |
 //! | [`bezier`] | [`CubicBezier`] | points, derivatives, tangents |
 //! | [`dense`] | [`DenseCurve`] | dense points with their parameters, in curve order |
+//! | [`svg`] | | what is read from documents, and what is refused |
+//! | [`analytic`] | [`analytic::Ellipse`], ... | dense points and local feature size in closed form |
 //! | [`error`] | [`CurveError`], [`DenseError`], [`AnalyticError`] | the place, and what to do |
 //!
 //! Points are [`glam::DVec2`].
 
+pub mod analytic;
 mod arc;
 pub mod bezier;
 pub mod component;

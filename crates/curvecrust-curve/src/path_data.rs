@@ -58,7 +58,10 @@ pub(crate) struct Pen {
     start: DVec2,
     at: DVec2,
     handle: LastHandle,
-    moved_only: bool,
+    /// Whether a move has begun a subpath.
+    moved: bool,
+    /// Whether a command has drawn since the last move or close.
+    drawn: bool,
 }
 
 impl Pen {
@@ -126,9 +129,11 @@ impl Pen {
     }
 
     pub(crate) fn move_to(&mut self, to: DVec2) {
-        self.end_subpath(false);
+        if self.drawn {
+            self.end_subpath(false);
+        }
         (self.start, self.at) = (to, to);
-        self.moved_only = true;
+        self.moved = true;
         self.handle = LastHandle::None;
     }
 
@@ -141,22 +146,25 @@ impl Pen {
             self.push(piece, LastHandle::None);
         }
         self.at = arc.to;
-        self.moved_only = false;
         self.handle = LastHandle::None;
+        self.drawn = true;
     }
 
     /// Ends the subpath at its start; what follows without a move starts there again.
     pub(crate) fn close(&mut self) {
-        self.moved_only = false;
-        self.end_subpath(true);
+        // A second Z in a row closes nothing.
+        if self.moved || self.drawn {
+            self.end_subpath(true);
+        }
         self.at = self.start;
-        self.moved_only = true;
         self.handle = LastHandle::None;
     }
 
     /// The subpaths that have been drawn.
     pub(crate) fn finish(mut self) -> Vec<Component> {
-        self.end_subpath(false);
+        if self.drawn {
+            self.end_subpath(false);
+        }
         self.done
     }
 
@@ -174,15 +182,13 @@ impl Pen {
         self.segments.push(bezier);
         self.at = bezier.end();
         self.handle = handle;
-        self.moved_only = false;
+        self.drawn = true;
     }
 
     /// A subpath with commands but without length is kept, for the error it deserves.
     fn end_subpath(&mut self, z: bool) {
         let segments = std::mem::take(&mut self.segments);
-        let drawn = !segments.is_empty() || z;
-        if drawn || !self.moved_only && !self.done.is_empty() {
-            self.done.push(Component::from_subpath(segments, z));
-        }
+        self.done.push(Component::from_subpath(segments, z));
+        (self.moved, self.drawn) = (false, false);
     }
 }

@@ -12,6 +12,9 @@ const CORNER_DEGREES: f64 = 1.0;
 /// Joins below this angle, in radians, are as smooth as rounding lets them be.
 const SMOOTH: f64 = 1e-13;
 
+/// Below this angle, in radians, a join without handles to turn is left as it is.
+const NEARLY_SMOOTH: f64 = 1e-9;
+
 /// A segment has a cusp where its speed falls below this fraction of its longest control arm: SVG
 /// is written with 6 digits or more, and a cusp survives them about so well.
 const CUSP_SPEED: f64 = 1e-5;
@@ -74,8 +77,7 @@ pub(crate) fn smooth_joins(
         let at = outgoing.start();
         let angle = angle_between(incoming.end_handle(), outgoing.start_handle());
         let angle_deg = angle.to_degrees();
-        // Not `>=`: an angle that is not a number is no smooth join either.
-        if !(angle_deg < CORNER_DEGREES) {
+        if angle_deg >= CORNER_DEGREES {
             return Err(CurveError::Corner {
                 component,
                 segment,
@@ -87,6 +89,9 @@ pub(crate) fn smooth_joins(
             continue;
         }
         let Some(direction) = common_direction(incoming, outgoing) else {
+            if angle <= NEARLY_SMOOTH {
+                continue;
+            }
             return Err(CurveError::NoHandle {
                 component,
                 segment,
@@ -103,8 +108,11 @@ pub(crate) fn smooth_joins(
 /// A segment whose handles both have no length is straight; it gets the handles of a line.
 fn give_handles_to_straight(bezier: &mut CubicBezier) {
     let [p0, p1, p2, p3] = bezier.control_points();
-    let lies_on_ends = p1 == p0 && p2 == p3 || p1 == p0 && p2 == p0 || p1 == p3 && p2 == p3;
-    if lies_on_ends && p0 != p3 {
+    let has_no_handle = match p1 {
+        _ if p1 == p0 => p2 == p0 || p2 == p3,
+        _ => p1 == p3 && p2 == p3,
+    };
+    if has_no_handle && p0 != p3 {
         *bezier = CubicBezier::line(p0, p3);
     }
 }
