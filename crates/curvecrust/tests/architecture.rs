@@ -51,6 +51,8 @@ const NAMED_BY: &[(&str, &[&str])] = &[
     ("spade", &["voronoi"]),
     ("kurbo", &["curve"]),
     ("usvg", &["curve"]),
+    ("roxmltree", &["curve"]),
+    ("svgtypes", &["curve"]),
     ("anyhow", &["cli", "xtask"]),
     ("clap", &["cli", "xtask"]),
 ];
