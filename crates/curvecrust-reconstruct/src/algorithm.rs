@@ -4,8 +4,13 @@ use std::fmt;
 
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
+use crate::beta_skeleton::BetaSkeleton;
+use crate::crust::Crust;
 use crate::error::ReconstructError;
 use crate::hnn_crust::HnnCrust;
+use crate::nn_crust::NnCrust;
+use crate::one_step_crust::OneStepCrust;
+use crate::sphere_of_influence::SphereOfInfluence;
 
 /// Every algorithm of this crate, the recommended one first.
 ///
@@ -15,14 +20,23 @@ use crate::hnn_crust::HnnCrust;
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::ALGORITHMS;
 ///
-/// let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
-/// let square = PointSet::new(corners.to_vec())?;
+/// let on_a_line = [0.0, 1.0, 2.5, 3.0].map(|x| DVec2::new(x, 2.0 * x));
+/// let points = PointSet::new(on_a_line.to_vec())?;
 /// for algorithm in ALGORITHMS {
-///     assert_eq!(algorithm.reconstruct(&square).len(), 4, "{}", algorithm.info().name);
+///     assert_eq!(algorithm.reconstruct(&points).len(), 3, "{}", algorithm.info().name);
 /// }
 /// # Ok::<(), curvecrust_geometry::PointSetError>(())
 /// ```
-pub const ALGORITHMS: &[&dyn Reconstructor] = &[&HnnCrust::MUTUAL, &HnnCrust::UNION];
+pub const ALGORITHMS: &[&dyn Reconstructor] = &[
+    &HnnCrust::MUTUAL,
+    &HnnCrust::UNION,
+    &NnCrust,
+    &Crust,
+    &OneStepCrust,
+    &BetaSkeleton::CRUST,
+    &BetaSkeleton::GABRIEL,
+    &SphereOfInfluence,
+];
 
 /// An algorithm that joins bare points by the edges of the curves they were sampled from.
 ///
@@ -91,7 +105,8 @@ impl fmt::Display for Guarantee {
             Condition::Epsilon => "epsilon",
             Condition::Rho => "rho",
         };
-        write!(f, "{name} < {}", self.bound)
+        // As many digits as the literature prints.
+        write!(f, "{name} < {}", (self.bound * 1000.0).round() / 1000.0)
     }
 }
 
@@ -103,4 +118,44 @@ pub enum Condition {
     /// Every point between consecutive samples is nearer to one of them than rho times the reach
     /// of the curve between them.
     Rho,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_crate_doc_lists_every_algorithm() {
+        let row = |info: AlgorithmInfo| {
+            let guarantees: Vec<_> = info.guarantees.iter().map(Guarantee::to_string).collect();
+            let guarantees = match &guarantees[..] {
+                [] => "none known".to_owned(),
+                some => some.join(", "),
+            };
+            let termini = if info.honours_termini { "yes" } else { "no" };
+            format!(
+                "//! | [`{}`] | {} | {guarantees} | {} | {termini} |\n",
+                info.name, info.citation, info.cost,
+            )
+        };
+        let rows: String = ALGORITHMS.iter().map(|a| row(a.info())).collect();
+        let rule = "//! |---|---|---|---|---|\n";
+        let doc = include_str!("lib.rs");
+        let table = doc
+            .split_once(rule)
+            .unwrap()
+            .1
+            .split_once("//!\n")
+            .unwrap()
+            .0;
+        assert_eq!(table, rows, "paste into lib.rs:\n{rows}");
+    }
+
+    #[test]
+    fn names_are_unique() {
+        let mut names: Vec<_> = ALGORITHMS.iter().map(|a| a.info().name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ALGORITHMS.len());
+    }
 }

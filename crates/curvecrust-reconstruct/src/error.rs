@@ -31,6 +31,17 @@ pub enum ReconstructError {
         /// Name of the algorithm.
         algorithm: &'static str,
     },
+    /// Edges have more or fewer vertices than there are points.
+    #[error(
+        "the edges have {vertices} vertices, but there are {count} points: \
+         give the points that the edges were reconstructed from"
+    )]
+    VertexCount {
+        /// The number of vertices.
+        vertices: usize,
+        /// The number of points.
+        count: usize,
+    },
     /// The parameter of a beta-skeleton is below 1, infinite or not a number.
     #[error("beta is {beta}: give a finite number of at least 1, such as 1.7")]
     Beta {

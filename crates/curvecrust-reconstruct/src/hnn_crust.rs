@@ -127,24 +127,36 @@ impl Reconstructor for HnnCrust {
     }
 }
 
-/// The edges that the ends agree on as `keep` demands, ascending.
-fn keep_edges(chosen: &[Neighbours], keep: Keep) -> EdgeSet {
-    let edges: Vec<Edge> = (0..chosen.len())
-        .into_par_iter()
-        .flat_map_iter(|index| {
-            let s = PointId::new(index);
-            let mut ends = choices(&chosen[index]);
-            ends.sort_unstable();
-            ends.into_iter().filter_map(move |q| {
-                let (s, q) = (s?, q?);
-                let returned = choices(&chosen[q.index()]).contains(&Some(s));
-                // An edge that both ends chose is reported by the smaller.
-                let reported = if returned { s < q } else { keep == Keep::Union };
-                Edge::new(s, q).filter(|_| reported)
-            })
-        })
-        .collect();
+/// The edges that the points chose and `keep` wants.
+pub(crate) fn keep_edges(chosen: &[Neighbours], keep: Keep) -> EdgeSet {
+    let mut edges = edges_from(chosen, true);
+    if keep == Keep::Union {
+        let mut unreturned = edges_from(chosen, false);
+        unreturned.par_sort_unstable();
+        edges.append(&mut unreturned);
+        // A stable sort merges two sorted runs in linear time.
+        edges.sort();
+    }
     EdgeSet::new(chosen.len(), edges)
+}
+
+/// The edges that both ends chose, ascending, or those that only one of them did.
+fn edges_from(chosen: &[Neighbours], returned: bool) -> Vec<Edge> {
+    let of = |index: usize| {
+        let mut ends = choices(&chosen[index]);
+        ends.sort_unstable();
+        ends.into_iter().filter_map(move |q| {
+            let (s, q) = (PointId::new(index)?, q?);
+            let is_returned = choices(&chosen[q.index()]).contains(&Some(s));
+            // An edge that both ends chose is reported by the smaller.
+            let reported = is_returned == returned && (s < q || !returned);
+            Edge::new(s, q).filter(|_| reported)
+        })
+    };
+    (0..chosen.len())
+        .into_par_iter()
+        .flat_map_iter(of)
+        .collect()
 }
 
 fn choices(of: &Neighbours) -> [Option<PointId>; 2] {

@@ -1,0 +1,134 @@
+//! beta-skeleton: D. G. Kirkpatrick, J. D. Radke, "A framework for computational morphology",
+//! Computational Geometry (G. T. Toussaint, ed.), 1985; as a curve reconstruction: N. Amenta,
+//! M. Bern, D. Eppstein, "The Crust and the beta-Skeleton: Combinatorial Curve Reconstruction",
+//! Graphical Models and Image Processing 60(2), 1998.
+//!
+//! Points p and q are joined if no other point lies in the two closed discs of radius beta |pq| / 2
+//! that touch both; equivalently, if pq is a Delaunay edge that both of its apexes see under less
+//! than asin(1/beta). At beta = 1 both discs are the one with diameter pq, and the result is the
+//! Gabriel graph (K. R. Gabriel, R. R. Sokal, Systematic Zoology 18, 1969).
+//!
+//! Correct for closed smooth curves with epsilon < 0.297 at beta = 1.7. Cost: that of the Delaunay
+//! triangulation, O(n log n).
+
+use curvecrust_geometry::{EdgeSet, PointSet};
+
+use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::delaunay_edge::{filtered, sights};
+use crate::error::ReconstructError;
+use crate::sight::Sight;
+
+/// The parameter of a beta-skeleton: finite and at least 1.
+///
+/// ```
+/// use curvecrust_reconstruct::Beta;
+///
+/// assert_eq!(Beta::new(1.7)?, Beta::CRUST);
+/// assert!(Beta::new(0.99).is_err());
+/// # Ok::<(), curvecrust_reconstruct::ReconstructError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Beta(f64);
+
+impl Beta {
+    /// 1: the Gabriel graph.
+    pub const GABRIEL: Self = Self(1.0);
+    /// 1.7: the value of Amenta, Bern and Eppstein for curves; apexes below 36.03 degrees.
+    pub const CRUST: Self = Self(1.7);
+
+    /// Checks a parameter.
+    ///
+    /// # Errors
+    /// [`Beta`](ReconstructError::Beta) if it is below 1, infinite or not a number.
+    pub fn new(beta: f64) -> Result<Self, ReconstructError> {
+        if beta >= 1.0 && beta.is_finite() {
+            Ok(Self(beta))
+        } else {
+            Err(ReconstructError::Beta { beta })
+        }
+    }
+
+    /// The parameter.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+}
+
+/// The beta-skeleton: Delaunay edges seen from both apexes under less than asin(1/beta).
+///
+/// Right angles are exact, hence the whole Gabriel graph; other angles are compared in floating
+/// point. A point on the boundary of a disc removes the edge, so cocircular points cause no choice.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::{Beta, beta_skeleton};
+///
+/// // The apex sees the long side under 90 degrees, the others under 45.
+/// let corner = [DVec2::ZERO, DVec2::new(2.0, 0.0), DVec2::new(1.0, 1.0)];
+/// let points = PointSet::new(corner.to_vec())?;
+/// assert_eq!(beta_skeleton(&points, Beta::GABRIEL).len(), 2);
+/// assert_eq!(beta_skeleton(&points, Beta::CRUST).len(), 0);
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn beta_skeleton(points: &PointSet, beta: Beta) -> EdgeSet {
+    // cot(asin(1/beta)), factored so that it is exactly 0 at 1 and does not overflow.
+    let least_cotangent = (beta.0 - 1.0).sqrt() * (beta.0 + 1.0).sqrt();
+    let is_narrow =
+        |s: &Sight| s.is_acute() && (least_cotangent <= 0.0 || s.cotangent() > least_cotangent);
+    filtered(points, |dual| {
+        sights(points, dual).iter().flatten().all(is_narrow)
+    })
+}
+
+/// The beta-skeleton behind the common contract.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BetaSkeleton {
+    /// Its parameter.
+    pub beta: Beta,
+}
+
+impl BetaSkeleton {
+    /// The Gabriel graph.
+    pub const GABRIEL: Self = Self {
+        beta: Beta::GABRIEL,
+    };
+    /// The beta-skeleton at 1.7.
+    pub const CRUST: Self = Self { beta: Beta::CRUST };
+}
+
+impl Reconstructor for BetaSkeleton {
+    fn info(&self) -> AlgorithmInfo {
+        let gabriel = AlgorithmInfo {
+            name: "gabriel",
+            citation: "Gabriel, Sokal: A New Statistical Approach to Geographic Variation \
+                       Analysis. Systematic Zoology 1969",
+            guarantees: &[],
+            cost: "O(n log n)",
+            honours_termini: false,
+        };
+        let skeleton = AlgorithmInfo {
+            name: "beta-skeleton",
+            citation: "Kirkpatrick, Radke: A Framework for Computational Morphology. 1985",
+            ..gabriel
+        };
+        if self.beta == Beta::GABRIEL {
+            gabriel
+        } else if self.beta == Beta::CRUST {
+            AlgorithmInfo {
+                guarantees: &[Guarantee {
+                    condition: Condition::Epsilon,
+                    bound: 0.297,
+                }],
+                ..skeleton
+            }
+        } else {
+            skeleton
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        beta_skeleton(points, self.beta)
+    }
+}

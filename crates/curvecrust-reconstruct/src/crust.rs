@@ -1,0 +1,70 @@
+//! Crust: N. Amenta, M. Bern, D. Eppstein, "The Crust and the beta-Skeleton: Combinatorial Curve
+//! Reconstruction", Graphical Models and Image Processing 60(2), 1998.
+//!
+//! Let V be the Voronoi vertices of the samples S. The crust is made of the Delaunay edges of
+//! S u V whose ends are both samples: those that some disc free of samples and of Voronoi vertices
+//! touches in both ends. No second triangulation is needed for it. In the pencil of discs through
+//! p and q every Voronoi vertex rules out a half-line; the two ends of the edge's dual are tested
+//! first and settle almost all edges, and the others are looked up in a tree.
+//!
+//! Correct for closed smooth curves with epsilon < 0.252, which the table of the HNN-Crust paper
+//! rounds to 0.2. All of V counts: without the far Voronoi vertices of slivers on the hull, false
+//! edges of the hull would stay. Cost: that of the Delaunay triangulation, O(n log n), plus a
+//! search around each edge.
+
+use curvecrust_geometry::{EdgeSet, PointSet};
+use curvecrust_voronoi::{Delaunay, DualEdge};
+use rayon::prelude::*;
+
+use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::delaunay_edge::edge_of;
+use crate::one_step_crust::is_crust_edge;
+use crate::pencil::VoronoiVertices;
+
+/// The edges of Crust.
+///
+/// A disc with Voronoi vertices on its boundary is free of them, so edges stay where triangulations
+/// of cocircular points would have a choice. Whether the ends of the dual spare a disc is decided
+/// exactly; the other Voronoi vertices are rounded as all results are.
+#[must_use]
+pub fn crust(points: &PointSet) -> EdgeSet {
+    let delaunay = Delaunay::new(points);
+    let candidates: Vec<DualEdge> = delaunay
+        .edges()
+        .filter(|dual| is_crust_edge(points, dual))
+        .collect();
+    let vertices = VoronoiVertices::new(points, &delaunay);
+    let kept: Vec<_> = candidates
+        .par_iter()
+        .filter(|dual| {
+            let [p, q] = dual.ends.map(|id| points[id]);
+            vertices.spare_a_disc_through(p, q)
+        })
+        .filter_map(edge_of)
+        .collect();
+    EdgeSet::new(points.len(), kept)
+}
+
+/// Crust behind the common contract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crust;
+
+impl Reconstructor for Crust {
+    fn info(&self) -> AlgorithmInfo {
+        AlgorithmInfo {
+            name: "crust",
+            citation: "Amenta, Bern, Eppstein: The Crust and the beta-Skeleton: Combinatorial \
+                       Curve Reconstruction. GMIP 1998",
+            guarantees: &[Guarantee {
+                condition: Condition::Epsilon,
+                bound: 0.252,
+            }],
+            cost: "O(n log n)",
+            honours_termini: false,
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        crust(points)
+    }
+}

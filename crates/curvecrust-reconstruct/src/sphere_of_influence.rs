@@ -1,0 +1,83 @@
+//! Sphere-of-influence graph: G. T. Toussaint, "A Graph-Theoretical Primal Sketch", Computational
+//! Morphology, 1988; here restricted to Delaunay edges.
+//!
+//! Around every point p lies a circle through its nearest neighbour, of radius r(p). Delaunay
+//! neighbours p and q are joined if their circles meet: |pq| <= r(p) + r(q). The graph adapts to
+//! the local density without a parameter, but keeps the short chords of dense clusters, so vertices
+//! branch where samples are uneven.
+//!
+//! No sampling condition makes it exact. Cost: that of neighbours and of the Delaunay
+//! triangulation, O(n log n).
+
+use curvecrust_geometry::{EdgeSet, PointId, PointSet, in_circle};
+use curvecrust_voronoi::DualEdge;
+
+use crate::algorithm::{AlgorithmInfo, Reconstructor};
+use crate::delaunay_edge::filtered;
+use crate::neighbours::{HalfRule, neighbours};
+
+/// The sphere-of-influence graph among Delaunay edges; circles that touch meet.
+///
+/// The diagonals of cocircular points, of which a triangulation may take any, are left out: the
+/// Voronoi cells of their ends share no more than a point. Distances are compared in floating point.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::sphere_of_influence;
+///
+/// let on_a_line = [0.0, 1.0, 2.0, 4.5].map(|x| DVec2::new(x, 0.0));
+/// let edges = sphere_of_influence(&PointSet::new(on_a_line.to_vec())?);
+/// assert_eq!(edges.len(), 3);
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn sphere_of_influence(points: &PointSet) -> EdgeSet {
+    let radius = nearest_distances(points);
+    filtered(points, |dual| {
+        let [p, q] = dual.ends;
+        let reach = radius[p.index()] + radius[q.index()];
+        points[p].distance(points[q]) <= reach && has_length(points, dual)
+    })
+}
+
+/// The distance of every point to its nearest neighbour; infinite if it is alone.
+fn nearest_distances(points: &PointSet) -> Vec<f64> {
+    let found = neighbours(points, HalfRule::Bisector);
+    let distance = |(p, nearest): (PointId, Option<PointId>)| {
+        nearest.map_or(f64::INFINITY, |q| points[p].distance(points[q]))
+    };
+    points
+        .ids()
+        .zip(found.iter().map(|n| n.nearest))
+        .map(distance)
+        .collect()
+}
+
+/// Whether the Voronoi edge is longer than a point: no four points are cocircular here.
+fn has_length(points: &PointSet, dual: &DualEdge) -> bool {
+    let [p, q] = dual.ends.map(|id| points[id]);
+    match dual.apexes {
+        [Some(left), Some(right)] => in_circle(p, q, points[left], points[right]) < 0.0,
+        _ => true,
+    }
+}
+
+/// The sphere-of-influence graph behind the common contract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SphereOfInfluence;
+
+impl Reconstructor for SphereOfInfluence {
+    fn info(&self) -> AlgorithmInfo {
+        AlgorithmInfo {
+            name: "sphere-of-influence",
+            citation: "Toussaint: A Graph-Theoretical Primal Sketch. 1988",
+            guarantees: &[],
+            cost: "O(n log n)",
+            honours_termini: false,
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        sphere_of_influence(points)
+    }
+}

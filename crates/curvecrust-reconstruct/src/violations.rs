@@ -1,0 +1,104 @@
+//! Where a reconstruction shows that its sampling condition was violated.
+
+use curvecrust_geometry::{EdgeSet, PointId, PointSet};
+
+use crate::error::ReconstructError;
+use crate::reconstruction::check_vertices;
+
+/// What the edges of HNN-Crust say about the sampling.
+///
+/// If the curves are closed, each vertex must have two edges: at leaves, isolated points and
+/// junctions the condition was violated, or an open curve ends. Elsewhere [`joints`](Self::joints)
+/// tell how near it is to that: a sampling with rho < 0.9 has angles above 73 degrees, one with
+/// epsilon < 0.47 above 126 degrees (Lemma 8 and Table 1 of Ohrhallinger, Mitchell, Wimmer 2016),
+/// and HNN-Crust makes none below 60.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::{ViolationReport, hnn_crust};
+///
+/// let corner = [DVec2::new(0.0, 3.0), DVec2::ZERO, DVec2::new(1.0, 0.0)];
+/// let points = PointSet::new(corner.to_vec())?;
+/// let report = ViolationReport::new(&points, &hnn_crust(&points))?;
+/// assert_eq!(report.leaves.len(), 2);
+/// let joint = report.joints[0];
+/// assert_eq!((joint.degrees, joint.length_ratio), (90.0, 3.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ViolationReport {
+    /// Vertices with one edge, ascending.
+    pub leaves: Vec<PointId>,
+    /// Vertices without an edge, ascending.
+    pub isolated: Vec<PointId>,
+    /// Vertices with three edges or more, ascending; HNN-Crust with mutual edges has none.
+    pub junctions: Vec<PointId>,
+    /// The vertices with two edges, ascending.
+    pub joints: Vec<Joint>,
+}
+
+/// A vertex with two edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// The vertex.
+    pub vertex: PointId,
+    /// The other ends of its edges, ascending.
+    pub neighbours: [PointId; 2],
+    /// The angle between the edges in degrees: 180 if the curve goes straight on.
+    pub degrees: f64,
+    /// The length of the longer edge over that of the shorter: 1 or more.
+    pub length_ratio: f64,
+}
+
+impl ViolationReport {
+    /// Looks at every vertex, in O(n).
+    ///
+    /// # Errors
+    /// [`VertexCount`](ReconstructError::VertexCount) if the edges have another number of
+    /// vertices than there are points.
+    pub fn new(points: &PointSet, edges: &EdgeSet) -> Result<Self, ReconstructError> {
+        check_vertices(points, edges)?;
+        let mut ends: Vec<[Option<PointId>; 2]> = vec![[None; 2]; edges.vertex_count()];
+        for edge in edges.edges() {
+            for (v, other) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
+                if let Some(free) = ends[v.index()].iter_mut().find(|slot| slot.is_none()) {
+                    *free = Some(other);
+                }
+            }
+        }
+        let joints =
+            points
+                .ids()
+                .zip(edges.degrees())
+                .zip(ends)
+                .filter_map(|((vertex, degree), ends)| match ends {
+                    [Some(a), Some(b)] if degree == 2 => Some(Joint::new(points, vertex, [a, b])),
+                    _ => None,
+                });
+        Ok(Self {
+            joints: joints.collect(),
+            leaves: edges.leaves(),
+            isolated: edges.isolated(),
+            junctions: edges.junctions(),
+        })
+    }
+
+    /// Whether every vertex has two edges, as it must on closed curves.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.leaves.is_empty() && self.isolated.is_empty() && self.junctions.is_empty()
+    }
+}
+
+impl Joint {
+    fn new(points: &PointSet, vertex: PointId, neighbours: [PointId; 2]) -> Self {
+        let [a, b] = neighbours.map(|n| points[n] - points[vertex]);
+        let (short, long) = (a.length().min(b.length()), a.length().max(b.length()));
+        Self {
+            vertex,
+            neighbours,
+            degrees: a.perp_dot(b).abs().atan2(a.dot(b)).to_degrees(),
+            length_ratio: long / short,
+        }
+    }
+}
