@@ -1,10 +1,11 @@
-//! The greedy sampler.
+//! The greedy sampler: from each sample on to the farthest dense point that the condition allows.
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
-//! 2016, Section 8.2, in the form of the authors' program, so that counts can be compared: from
-//! sample s0 the end of the interval advances one dense point at a time; where the condition first
-//! fails at a dense point inside, the interval ends one point before, at the next sample. A closed
-//! curve starts at its first dense point; its closing interval, back to the start, adds no sample.
+//! 2016, Section 8.2. The end of the interval from sample s0 advances one dense point at a time,
+//! and the condition is tested at the dense points inside. Where it first fails, [`sample_greedy`]
+//! takes the dense point before, the last for which it held; the authors' program takes the failing
+//! one itself, and so does [`sample_as_published`], so that counts can be compared. A closed curve
+//! starts at its first dense point; its closing interval, back to the start, adds no sample.
 //!
 //! Cost: near-linear. An interval that holds with some slack holds until its end has moved by as
 //! much, so only a few of the candidate ends are looked at.
@@ -23,17 +24,39 @@ use crate::sampled_curve::{ClosingInterval, SampledCurve};
 /// which is tested and reported.
 #[must_use]
 pub fn sample_greedy(measured: &Measured, condition: Condition) -> SampledCurve {
+    sample(measured, condition, Next::LastHolding)
+}
+
+/// Samples like the authors' program: each interval ends one dense point later than that of
+/// [`sample_greedy`], at the first for which the condition does not hold.
+///
+/// For comparing counts with the published ones; the finer the discretisation, the less it matters.
+#[must_use]
+pub fn sample_as_published(measured: &Measured, condition: Condition) -> SampledCurve {
+    sample(measured, condition, Next::FirstFailing)
+}
+
+/// Which dense point is the next sample, once the interval to one of them fails.
+#[derive(Clone, Copy, Debug)]
+enum Next {
+    LastHolding,
+    FirstFailing,
+}
+
+fn sample(measured: &Measured, condition: Condition, next: Next) -> SampledCurve {
     let mut sampled = SampledCurve::default();
     for (index, component) in measured.dense().components().iter().enumerate() {
         let DenseComponent { range, closed } = component;
         let track = Track::new(measured, range.clone(), *closed);
-        let positions = walk(&track, condition, range.len(), *closed);
-        if let (Some(&last), true) = (positions.last(), *closed) {
-            let slack = track.slack(condition, last, range.len());
+        let mut positions = walk(&track, condition, range.len(), next);
+        let last = positions[positions.len() - 1];
+        if *closed {
             sampled.push_closing(ClosingInterval {
                 component: index,
-                holds: slack.holds(),
+                holds: track.slack(condition, last, range.len()).holds(),
             });
+        } else if last + 1 < range.len() {
+            positions.push(range.len() - 1);
         }
         let samples = positions.iter().map(|&position| range.start + position);
         sampled.push_component(measured.dense(), samples, *closed);
@@ -41,22 +64,22 @@ pub fn sample_greedy(measured: &Measured, condition: Condition) -> SampledCurve 
     sampled
 }
 
-/// The positions of the samples on a track of `count` dense points.
-fn walk(track: &Track, condition: Condition, count: usize, closed: bool) -> Vec<usize> {
+/// The positions of the samples, the first of which is 0, on the first `count` of a track.
+fn walk(track: &Track, condition: Condition, count: usize, next: Next) -> Vec<usize> {
     let mut positions = vec![0];
-    let mut from = 0;
-    let mut to = 1;
+    let (mut from, mut to) = (0, 1);
     while to < count {
         let slack = track.slack(condition, from, to);
         if slack.holds() {
             to = track.next_uncertain(condition, from, to, slack, count);
         } else {
-            from = to - 1;
+            from = match next {
+                Next::LastHolding => to - 1,
+                Next::FirstFailing => to,
+            };
+            to = from + 1;
             positions.push(from);
         }
-    }
-    if !closed && count > 1 {
-        positions.push(count - 1);
     }
     positions
 }
@@ -69,12 +92,15 @@ mod tests {
     use proptest::prelude::*;
 
     /// The definition: one dense point at a time.
-    fn walk_naively(track: &Track, condition: Condition, count: usize) -> Vec<usize> {
+    fn walk_naively(track: &Track, condition: Condition, count: usize, next: Next) -> Vec<usize> {
         let mut positions = vec![0];
         let mut from = 0;
         for to in 1..count {
             if !track.slack(condition, from, to).holds() {
-                from = to - 1;
+                from = match next {
+                    Next::LastHolding => to - 1,
+                    Next::FirstFailing => to,
+                };
                 positions.push(from);
             }
         }
@@ -113,10 +139,12 @@ mod tests {
             let track = Track::new(&measured, range.clone(), true);
             for condition in [Condition::epsilon(bound).unwrap(), Condition::rho(bound).unwrap()] {
                 for condition in [condition, condition.with_hausdorff_limit(limit).unwrap()] {
-                    prop_assert_eq!(
-                        walk(&track, condition, range.len(), true),
-                        walk_naively(&track, condition, range.len())
-                    );
+                    for next in [Next::LastHolding, Next::FirstFailing] {
+                        prop_assert_eq!(
+                            walk(&track, condition, range.len(), next),
+                            walk_naively(&track, condition, range.len(), next)
+                        );
+                    }
                 }
             }
         }

@@ -6,7 +6,7 @@
 //! | module | what it gives | source |
 //! |---|---|---|
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
-//! | [`greedy`] | [`sample_greedy`]: the farthest next sample, as the authors' program does | Section 8.2 |
+//! | [`greedy`] | [`sample_greedy`]: the farthest next sample; [`sample_as_published`]: the authors' form | Section 8.2 |
 //! | [`sampled_curve`] | [`SampledCurve`]: samples in curve order, and the [manifold boundary](SampledCurve::manifold_boundary) | Section 4 |
 //! | [`theory`] | what the bounds imply: angles, sample counts, distances | Lemmas 8 to 10, Theorem 1, Table 1 |
 //!
@@ -31,5 +31,5 @@ pub mod sampled_curve;
 pub mod theory;
 
 pub use condition::{Bound, Condition, ConditionError};
-pub use greedy::sample_greedy;
+pub use greedy::{sample_as_published, sample_greedy};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
