@@ -10,6 +10,7 @@ mod tests;
 
 use crate::root::root;
 use anyhow::{Context, anyhow, bail, ensure};
+use curvecrust_curve::Curve;
 use git::Repository;
 use install::{File, files_below, install};
 use std::fs;
@@ -109,8 +110,8 @@ fn read_clone(clone: &Path) -> anyhow::Result<Vec<File>> {
     let source = read_text(&path)?;
     let mut files = Vec::new();
     for name in CURVES {
-        let data = path_data(&source, name).with_context(|| format!("in {}", path.display()))?;
-        files.push((curve_file(name), svg(name, &data)));
+        let svg = curve_of(&source, name).with_context(|| format!("in {}", path.display()))?;
+        files.push((curve_file(name), svg));
     }
     let present = files_below(clone)?;
     for name in POINTS {
@@ -177,56 +178,41 @@ fn read_points(path: &Path) -> anyhow::Result<String> {
 
 fn read_svg(path: &Path) -> anyhow::Result<String> {
     let text = read_text(path)?;
-    let paths: Vec<&str> = text.split("<path").skip(1).collect();
-    let [path_element] = paths[..] else {
-        bail!("{} holds {} paths, not one", path.display(), paths.len());
-    };
-    let data = path_element
-        .split_once(" d=\"")
-        .and_then(|(_, rest)| rest.split_once('"'));
-    ensure!(
-        data.is_some_and(|(data, _)| is_path_data(data)),
-        "the path of {} has no path data d=\"m ...\"",
-        path.display()
-    );
+    Curve::from_svg(&text).with_context(|| format!("{} holds no curve", path.display()))?;
     Ok(text)
 }
 
-/// The path data that a C++ source gives the string `name`.
-fn path_data(source: &str, name: &str) -> anyhow::Result<String> {
+/// An SVG of the path data that a C++ source gives the string `name`.
+fn curve_of(source: &str, name: &str) -> anyhow::Result<String> {
     let strings = cpp::strings(source, name);
-    ensure!(!strings.is_empty(), "no string literal named {name}");
-    let mut paths = strings.iter().filter(|text| is_path_data(text));
-    match (paths.next(), paths.next()) {
-        (Some(data), None) => Ok(data.trim().to_owned()),
-        (Some(_), Some(_)) => bail!("several path strings named {name}"),
-        (None, _) => {
-            let start: String = strings[0].chars().take(40).collect();
-            bail!("the string {name} is no path data: it starts with {start:?}")
+    let mut curves = Vec::new();
+    let mut refused = anyhow!("no string literal named {name}");
+    for data in &strings {
+        match Curve::from_path_data(data) {
+            Ok(curve) => curves.push((data.trim(), curve)),
+            Err(error) => {
+                let error = anyhow::Error::new(error);
+                refused = error.context(format!("the string {name} is no curve"));
+            }
         }
+    }
+    match &curves[..] {
+        [] => Err(refused),
+        [(data, curve)] => Ok(svg(name, data, curve)),
+        _ => bail!("several path strings named {name}"),
     }
 }
 
-/// Whether the text moves somewhere, draws something, and is made of commands and numbers only.
-fn is_path_data(text: &str) -> bool {
-    let text = text.trim();
-    let commands = "MmZzLlHhVvCcSsQqTtAa";
-    text.starts_with(['M', 'm'])
-        && text.chars().any(|c| c.is_ascii_digit())
-        && text.chars().any(|c| commands[4..].contains(c))
-        && text.chars().all(|c| {
-            c.is_ascii_digit()
-                || c.is_ascii_whitespace()
-                || "+-.,eE".contains(c)
-                || commands.contains(c)
-        })
-}
-
-fn svg(name: &str, path_data: &str) -> String {
+/// An SVG of one path, which fills the page but for a margin.
+fn svg(name: &str, path_data: &str, curve: &Curve) -> String {
+    let (low, high) = curve.bounding_box();
+    let margin = 0.02 * curve.extent();
+    let (corner, size) = (low - margin, high - low + 2.0 * margin);
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <svg xmlns=\"http://www.w3.org/2000/svg\">\n  \
+         <svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.3} {:.3} {:.3} {:.3}\">\n  \
          <path id=\"{name}\" fill=\"none\" stroke=\"black\" d=\"{path_data}\"/>\n\
-         </svg>\n"
+         </svg>\n",
+        corner.x, corner.y, size.x, size.y
     )
 }
