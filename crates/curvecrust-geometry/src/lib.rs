@@ -6,6 +6,7 @@
 //! | [`edge_set`] | [`EdgeSet`], [`Edge`] | sorted, unique, undirected edges |
 //! | [`chains`] | [`Chain`] | maximal paths and rings that cover every edge once |
 //! | [`segment`] | [`Segment`] | closest point and distance |
+//! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
 //! | [`hilbert`] | [`hilbert_index`], [`hilbert_keys`] | an order in which neighbours are close |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
@@ -18,6 +19,7 @@ pub mod hilbert;
 pub mod point_set;
 pub mod predicates;
 pub mod segment;
+pub mod segment_tree;
 pub mod similarity;
 
 pub use chains::Chain;
@@ -27,4 +29,5 @@ pub use hilbert::{hilbert_index, hilbert_keys};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use segment::Segment;
+pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;

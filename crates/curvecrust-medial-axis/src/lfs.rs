@@ -3,9 +3,8 @@
 use std::ops::RangeInclusive;
 
 use curvecrust_curve::DenseCurve;
-use curvecrust_geometry::{DVec2, Segment};
+use curvecrust_geometry::{DVec2, SegmentTree};
 use rayon::prelude::*;
-use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
 use crate::axis::MedialAxis;
 
@@ -25,12 +24,11 @@ impl LocalFeatureSize {
     #[must_use]
     pub fn new(dense: &DenseCurve, axis: &MedialAxis) -> Self {
         let (to_unit, edges) = axis.in_unit_box();
-        let tree = RTree::bulk_load(edges.iter().map(|e| Indexed(e.segment)).collect());
+        let tree = SegmentTree::new(edges.iter().map(|edge| edge.segment));
         let distance = |&p: &DVec2| {
-            let p = to_unit.apply(p);
-            let nearest = tree.nearest_neighbor(p.to_array());
-            nearest.map_or(f64::INFINITY, |edge| {
-                to_unit.invert_length(edge.0.distance(p))
+            let nearest = tree.nearest(to_unit.apply(p));
+            nearest.map_or(f64::INFINITY, |(_, distance)| {
+                to_unit.invert_length(distance)
             })
         };
         Self::from_values(dense.points().par_iter().map(distance).collect())
@@ -112,23 +110,6 @@ impl LocalFeatureSize {
             to /= 2;
         }
         least
-    }
-}
-
-/// A segment in the tree; our own distance, which stays exact for segments that run far out.
-struct Indexed(Segment);
-
-impl RTreeObject for Indexed {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        AABB::from_corners(self.0.a.to_array(), self.0.b.to_array())
-    }
-}
-
-impl PointDistance for Indexed {
-    fn distance_2(&self, point: &[f64; 2]) -> f64 {
-        self.0.distance_squared(DVec2::from_array(*point))
     }
 }
 
