@@ -1,1 +1,4 @@
-//! Inputs that the benchmarks share.
+//! Inputs and peers that the benchmarks share.
+
+pub mod generators;
+pub mod random;
