@@ -118,10 +118,11 @@ impl Ellipse {
         let (a, b) = (positive("a", a)?, positive("b", b)?);
         if a < b {
             return Err(AnalyticError::Order {
-                larger: "a",
-                larger_value: a,
-                smaller: "b",
-                smaller_value: b,
+                first: "a",
+                first_value: a,
+                second: "b",
+                second_value: b,
+                relation: "not be smaller",
             });
         }
         Ok(Self { a, b })
@@ -210,10 +211,11 @@ impl ConcentricCircles {
         let (outer, inner) = (positive("outer", outer)?, positive("inner", inner)?);
         if outer <= inner {
             return Err(AnalyticError::Order {
-                larger: "outer",
-                larger_value: outer,
-                smaller: "inner",
-                smaller_value: inner,
+                first: "outer",
+                first_value: outer,
+                second: "inner",
+                second_value: inner,
+                relation: "be larger",
             });
         }
         Ok(Self { outer, inner })

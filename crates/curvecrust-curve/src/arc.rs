@@ -36,38 +36,22 @@ impl Arc {
         if radii.min_element() <= 0.0 {
             return vec![CubicBezier::line(from, to)];
         }
-        let axis = axis_of(self.rotation_deg);
+        let axis = DVec2::from_angle((self.rotation_deg % 360.0).to_radians());
+        let back = DVec2::new(axis.x, -axis.y);
         // The chord from the middle of the arc's ends, where the ellipse is the unit circle.
-        let half = axis.conjugate_rotate((to - from) / 2.0) / radii;
+        let half = back.rotate((to - from) / 2.0) / radii;
         let scale = half.length().max(1.0);
         let (radii, half) = (radii * scale, half / scale);
         let across = (1.0 / half.length_squared() - 1.0).max(0.0).sqrt();
+        // The small arc in the positive sense has its centre to the left of the chord.
         let side = if self.large == self.sweep { -1.0 } else { 1.0 };
-        let centre = half.perp() * (across * -side);
+        let centre = half.perp() * (across * side);
         let (first, last) = (-half - centre, half - centre);
         let turn = sweep_angle(first, last, self.sweep);
         let middle = from + (to - from) / 2.0;
         let on_plane = |p: DVec2| middle + axis.rotate((p + centre) * radii);
         pieces(first, turn, on_plane, from, to)
     }
-}
-
-/// A unit vector as a rotation.
-#[derive(Clone, Copy)]
-struct Axis(DVec2);
-
-impl Axis {
-    fn rotate(self, v: DVec2) -> DVec2 {
-        self.0.rotate(v)
-    }
-
-    fn conjugate_rotate(self, v: DVec2) -> DVec2 {
-        DVec2::new(self.0.x, -self.0.y).rotate(v)
-    }
-}
-
-fn axis_of(degrees: f64) -> Axis {
-    Axis(DVec2::from_angle((degrees % 360.0).to_radians()))
 }
 
 /// The signed angle from one point of the unit circle to another, in the sense of the flag.

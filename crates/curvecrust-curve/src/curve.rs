@@ -160,7 +160,9 @@ pub(crate) fn bounds<'a>(segments: impl IntoIterator<Item = &'a CubicBezier>) ->
 /// The segments of a component, once their coordinates and ends are known to be sound.
 fn validated(index: usize, component: &Component) -> Result<Vec<CubicBezier>, CurveError> {
     for (segment, bezier) in component.segments().iter().enumerate() {
-        for at in bezier.control_points() {
+        let [p0, p1, p2, p3] = bezier.control_points();
+        // Ends first: the handles of lines and arcs are in no file.
+        for at in [p0, p3, p1, p2] {
             if !at.is_finite() {
                 return Err(CurveError::NotFinite {
                     component: index,

@@ -69,7 +69,7 @@ pub enum CurveError {
     /// Two segments meet at an angle.
     #[error(
         "component {component} has a corner of {angle_deg:.3} degrees at the start of segment \
-         {segment}, at ({}, {}): curves must be smooth, so round it off, or split the path there",
+         {segment}, at ({}, {}): curves must be smooth, so round it off",
         at.x, at.y
     )]
     Corner {
@@ -100,7 +100,7 @@ pub enum CurveError {
     },
     /// The curve turns round on the spot inside a segment.
     #[error(
-        "component {component}, segment {segment} has a cusp at t = {t}, at ({}, {}): \
+        "component {component}, segment {segment} has a cusp at t = {t:.6}, at ({}, {}): \
          curves must be smooth, so move its handles",
         at.x, at.y
     )]
@@ -244,8 +244,8 @@ pub enum DenseError {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum AnalyticError {
-    /// A length is not a positive number of a magnitude that points can carry.
-    #[error("{name} is {value}: it must be positive and at most 1e50")]
+    /// A length is not positive, or so small or large that sums and squares might not be carried.
+    #[error("{name} is {value}: it must be from 1e-30 to 1e50")]
     NotPositive {
         /// The measure.
         name: &'static str,
@@ -253,15 +253,17 @@ pub enum AnalyticError {
         value: f64,
     },
     /// Two lengths are in the wrong order.
-    #[error("{larger} is {larger_value} and {smaller} {smaller_value}: exchange or change them")]
+    #[error("{first} is {first_value} and {second} {second_value}: the first must {relation}")]
     Order {
-        /// The measure that must be the larger one.
-        larger: &'static str,
+        /// The measure that is too small.
+        first: &'static str,
         /// Its value.
-        larger_value: f64,
-        /// The measure that must be the smaller one.
-        smaller: &'static str,
+        first_value: f64,
+        /// The measure that is too large.
+        second: &'static str,
         /// Its value.
-        smaller_value: f64,
+        second_value: f64,
+        /// What the first must be: `be larger` or `not be smaller`.
+        relation: &'static str,
     },
 }

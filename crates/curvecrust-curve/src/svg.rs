@@ -151,7 +151,7 @@ impl<'a, 'input> Walk<'a, 'input> {
         if depth > MAX_DEPTH || self.elements > MAX_ELEMENTS {
             let limit = format!("{MAX_DEPTH} levels or {MAX_ELEMENTS} elements");
             return Err(here(unsupported(format!(
-                "is beyond the {limit} that are supported: simplify the document"
+                "it is beyond the {limit} that are supported: simplify the document"
             ))));
         }
         check_properties(node).map_err(here)?;

@@ -96,7 +96,9 @@ impl Part {
                 };
                 centre + turned * radii
             }
-            Self::Straight { from, to, .. } => from * (1.0 - t) + to * t,
+            // From the nearer end: both are met exactly, and coordinates that are equal stay so.
+            Self::Straight { from, to, .. } if t <= 0.5 => from + (to - from) * t,
+            Self::Straight { from, to, .. } => to - (to - from) * (1.0 - t),
         }
     }
 }

@@ -175,7 +175,7 @@ pub(super) fn check_style_sheet(sheet: &str) -> Result<(), CurveError> {
     };
     match declared(sheet).find(matters) {
         Some(name) => Err(unsupported(format!(
-            "sets {name}, which is not read from style sheets: make it an attribute"
+            "it sets {name}, which is not read from style sheets: make it an attribute"
         ))),
         None => Ok(()),
     }

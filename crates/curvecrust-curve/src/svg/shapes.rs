@@ -20,11 +20,11 @@ pub(super) fn components(node: Node<'_, '_>, space: Space) -> Result<Vec<Compone
     match (is_shape, space.is_shown()) {
         (true, true) => {}
         (true, false) => {
-            let message = "is hidden (display or visibility): show it, or remove it";
+            let message = "it is hidden (display or visibility): show it, or remove it";
             return Err(unsupported(message));
         }
         (false, true) => {
-            let message = "is no curve: convert it to a path, or remove it";
+            let message = "it is no curve: convert it to a path, or remove it";
             return Err(unsupported(message));
         }
         (false, false) => return Ok(Vec::new()),

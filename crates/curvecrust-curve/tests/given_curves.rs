@@ -1,0 +1,66 @@
+//! The curves of the paper, where its data is at hand, and those drawn for this project.
+#![allow(
+    clippy::unwrap_used,
+    reason = "clippy knows helpers of tests as tests in modules only"
+)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use curvecrust_curve::{Component, Curve, DenseCurve};
+
+fn read(path: &Path) -> Curve {
+    let svg = fs::read_to_string(path).unwrap();
+    Curve::from_svg(&svg).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn near_manifest(relative: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(relative)
+}
+
+#[test]
+fn the_curves_of_the_paper() {
+    let folder = near_manifest("../../../shared/paper-data/curves");
+    if !folder.is_dir() {
+        println!("skipped: the curves of the paper are not here");
+        return;
+    }
+    for (name, segments) in [("parallel", 6), ("teaser", 11), ("bunny", 17), ("cat", 43)] {
+        let path = folder.join(format!("{name}.svg"));
+        let curve = read(&path);
+        assert_eq!(curve.components().len(), 1, "{name}");
+        let component = &curve.components()[0];
+        assert!(component.is_closed(), "{name}");
+        assert_eq!(component.segments().len(), segments, "{name}");
+        let dense = DenseCurve::per_segment(&curve, 300).unwrap();
+        assert_eq!(dense.len(), 300 * segments, "{name}");
+        // The viewBox of each file is its bounding box, rounded.
+        let svg = fs::read_to_string(&path).unwrap();
+        let (_, rest) = svg.split_once("viewBox=\"").unwrap();
+        let (numbers, _) = rest.split_once('"').unwrap();
+        let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
+        let extent = numbers[2].max(numbers[3]);
+        println!("{name}: extent {}, viewBox {numbers:?}", curve.extent());
+        assert!((curve.extent() / extent - 1.0).abs() < 0.1, "{name}");
+    }
+}
+
+#[test]
+fn the_fixtures_of_this_project() {
+    let folder = near_manifest("../../fixtures/curves");
+    let Ok(entries) = fs::read_dir(&folder) else {
+        println!("skipped: no fixtures here");
+        return;
+    };
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    for path in paths
+        .iter()
+        .filter(|p| p.extension().is_some_and(|e| e == "svg"))
+    {
+        let curve = read(path);
+        let segments = curve.components().iter().flat_map(Component::segments);
+        assert!(curve.extent() > 0.0);
+        println!("{}: {} segments", path.display(), segments.count());
+    }
+}
