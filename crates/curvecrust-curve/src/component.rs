@@ -18,8 +18,7 @@ pub struct Component {
 const CLOSING_GAP: f64 = 1e-6;
 
 impl Component {
-    /// The chain of the given segments, which is closed if the last ends where the first starts
-    /// and `closed` says so.
+    /// The chain of the given segments; in a closed one the last has to end where the first starts.
     ///
     /// Segments whose four control points are equal draw nothing and are left out.
     #[must_use]

@@ -25,8 +25,7 @@ pub struct CurveParam {
 ///
 /// # Guarantees
 /// - There is at least one component, and each has positive length.
-/// - Every coordinate of a control point is finite and within [`PointSet::MAX_MAGNITUDE`]; those
-///   below [`PointSet::MIN_MAGNITUDE`] are 0.
+/// - Every coordinate of a control point is finite, and within [`PointSet::MAX_MAGNITUDE`] as given.
 /// - No segment is a single point; each starts where the one before it ends, and the last of a
 ///   closed component ends where the first starts.
 /// - The tangent is continuous: it is the same on both sides of every join (up to rounding), and no
@@ -39,7 +38,7 @@ pub struct CurveParam {
 /// taken away: both handles are turned to their mean direction, with their lengths and all end
 /// points kept. Else the medial axis would grow a branch into each tiny corner, and the local
 /// feature size would go to zero there, the more so the finer the discretisation. A handle of
-/// length zero has no direction of its own; there the other segment's handle takes the whole turn.
+/// length zero has no direction of its own; its segment stays, and the other one takes the whole turn.
 ///
 /// ```
 /// use curvecrust_curve::{Curve, CurveError};
@@ -60,6 +59,9 @@ pub struct Curve {
 impl Curve {
     /// Takes components in their order, checks them and makes their joins exactly smooth.
     ///
+    /// Segments without length are left out, coordinates below [`PointSet::MIN_MAGNITUDE`] are taken
+    /// as 0, and straight segments without handles get those of [`CubicBezier::line`].
+    ///
     /// # Errors
     /// The first component, in it the first segment or join, that breaks a guarantee; or
     /// [`CurveError::Empty`].
@@ -69,8 +71,8 @@ impl Curve {
         }
         let check = |(index, component): (usize, Component)| {
             let mut segments = validated(index, &component)?;
-            smooth::check_cusps(index, &segments)?;
             smooth::smooth_joins(index, &mut segments, component.is_closed())?;
+            smooth::check_cusps(index, &segments)?;
             Ok(Component::new(segments, component.is_closed()))
         };
         let components = components.into_iter().enumerate().map(check);

@@ -82,10 +82,12 @@ pub enum CurveError {
         /// The corner.
         at: DVec2,
     },
-    /// Two segments meet at a small angle, and neither has a handle that could be turned.
+    /// Two segments meet at a small angle, and neither can be turned, since each has a handle of
+    /// length zero.
     #[error(
         "component {component} has a corner of {angle_deg:e} degrees at the start of segment \
-         {segment}, at ({}, {}), where both handles have no length: draw them out into one line",
+         {segment}, at ({}, {}), where two segments meet that have a handle of length zero: \
+         draw these handles out",
         at.x, at.y
     )]
     NoHandle {

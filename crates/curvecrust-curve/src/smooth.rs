@@ -12,7 +12,7 @@ const CORNER_DEGREES: f64 = 1.0;
 /// Joins below this angle, in radians, are as smooth as rounding lets them be.
 const SMOOTH: f64 = 1e-13;
 
-/// Below this angle, in radians, a join without handles to turn is left as it is.
+/// Below this angle, in radians, a join of which neither side can turn is left as it is.
 const NEARLY_SMOOTH: f64 = 1e-9;
 
 /// A segment has a cusp where its speed falls below this fraction of its longest control arm: SVG
@@ -99,8 +99,12 @@ pub(crate) fn smooth_joins(
                 at,
             });
         };
-        segments[before] = turned_start(&segments[before].reversed(), -direction).reversed();
-        segments[segment] = turned_start(&segments[segment], direction);
+        if can_turn(&segments[before]) {
+            segments[before] = turned_start(&segments[before].reversed(), -direction).reversed();
+        }
+        if can_turn(&segments[segment]) {
+            segments[segment] = turned_start(&segments[segment], direction);
+        }
     }
     Ok(())
 }
@@ -117,13 +121,11 @@ fn give_handles_to_straight(bezier: &mut CubicBezier) {
     }
 }
 
-/// The direction that both handles at a join can take: the mean, or that of the handle which has no
-/// length of its own and hence cannot turn without the other end of its segment.
+/// The direction that both handles at a join can take: the mean, or that of the one that cannot turn.
 fn common_direction(incoming: &CubicBezier, outgoing: &CubicBezier) -> Option<DVec2> {
     let into = incoming.end_handle().normalize_or_zero();
     let out = outgoing.start_handle().normalize_or_zero();
-    let turns = |bezier: &CubicBezier| bezier.arms()[0] != DVec2::ZERO;
-    match (turns(&incoming.reversed()), turns(outgoing)) {
+    match (can_turn(incoming), can_turn(outgoing)) {
         (true, true) => Some((into + out).normalize_or_zero()),
         (true, false) => Some(out),
         (false, true) => Some(into),
@@ -131,7 +133,14 @@ fn common_direction(incoming: &CubicBezier, outgoing: &CubicBezier) -> Option<DV
     }
 }
 
-/// The segment with its start handle turned to a direction, if it has one of its own.
+/// Whether the tangents at both ends have a control point each: if one handle has no length, the
+/// other's control point gives both tangents, and turning it for one end would spoil the other.
+fn can_turn(bezier: &CubicBezier) -> bool {
+    let [first, _, last] = bezier.arms();
+    first != DVec2::ZERO && last != DVec2::ZERO
+}
+
+/// The segment with its start handle turned to a direction.
 fn turned_start(bezier: &CubicBezier, direction: DVec2) -> CubicBezier {
     let [p0, p1, p2, p3] = bezier.control_points();
     let handle = direction * (p1 - p0).length();

@@ -28,6 +28,7 @@ use roxmltree::{Document, Node, NodeId, ParsingOptions};
 
 use crate::component::Component;
 use crate::curve::Curve;
+use crate::dense::DENSE_LIMIT;
 use crate::error::CurveError;
 use attributes::{check_properties, check_style_sheet, label, unsupported};
 use space::Space;
@@ -39,6 +40,8 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 const MAX_DEPTH: usize = 256;
 /// Elements drawn, each once per `use`: few references can otherwise make very many of them.
 const MAX_ELEMENTS: usize = 1_000_000;
+/// Segments drawn: more than that cannot be discretised.
+const MAX_SEGMENTS: usize = DENSE_LIMIT;
 
 /// Elements of SVG that draw nothing where they stand.
 const NOT_DRAWN: &[&str] = &[
@@ -99,8 +102,8 @@ pub(crate) fn parse(document: &str) -> Result<Curve, CurveError> {
             walk.by_id.entry(id).or_insert(node);
         }
         if node.has_tag_name((SVG, "style")) {
-            let sheet = node.text().unwrap_or_default();
-            check_style_sheet(sheet).map_err(|e| e.within(label(node)))?;
+            let sheet: String = node.descendants().filter_map(|n| n.text()).collect();
+            check_style_sheet(&sheet).map_err(|e| e.within(label(node)))?;
         }
     }
     let space = Space::of_root(root).map_err(|e| e.within(label(root)))?;
@@ -121,6 +124,7 @@ struct Walk<'a, 'input> {
     /// The targets of the `use` elements around the present one.
     used: Vec<NodeId>,
     elements: usize,
+    segments: usize,
 }
 
 impl<'a, 'input> Walk<'a, 'input> {
@@ -150,9 +154,7 @@ impl<'a, 'input> Walk<'a, 'input> {
         self.elements += 1;
         if depth > MAX_DEPTH || self.elements > MAX_ELEMENTS {
             let limit = format!("{MAX_DEPTH} levels or {MAX_ELEMENTS} elements");
-            return Err(here(unsupported(format!(
-                "it is beyond the {limit} that are supported: simplify the document"
-            ))));
+            return Err(here(beyond(&limit)));
         }
         check_properties(node).map_err(here)?;
         let space = space.inside(node).map_err(here)?;
@@ -169,6 +171,11 @@ impl<'a, 'input> Walk<'a, 'input> {
             "use" => self.reference(node, space, depth),
             _ => {
                 let components = shapes::components(node, space).map_err(here)?;
+                let segments = components.iter().map(|c| c.segments().len());
+                self.segments += segments.sum::<usize>();
+                if self.segments > MAX_SEGMENTS {
+                    return Err(here(beyond(&format!("{MAX_SEGMENTS} segments"))));
+                }
                 self.components
                     .extend(components.into_iter().map(|c| (node, c)));
                 Ok(())
@@ -216,6 +223,12 @@ impl<'a, 'input> Walk<'a, 'input> {
         self.used.pop();
         Ok(())
     }
+}
+
+fn beyond(limit: &str) -> CurveError {
+    unsupported(format!(
+        "it is beyond the {limit} that are supported: simplify the document"
+    ))
 }
 
 /// Whether a `switch` draws this child: the first without a condition, as its conditions ask for

@@ -83,6 +83,13 @@ fn many_references_to_many_references_end() {
 }
 
 #[test]
+fn many_references_to_a_long_path_end() {
+    let long = format!("<path id='a' d='M0 0{}'/>", "h1".repeat(100_000));
+    let error = svg_error(&(long + &"<use href='#a'/>".repeat(200)));
+    assert!(error.to_string().contains("10000000 segments"), "{error}");
+}
+
+#[test]
 fn deep_nesting_ends() {
     let deep = format!(
         "{}<path d='M0 0h1'/>{}",
@@ -169,7 +176,7 @@ const PATHS: &[(&str, &str)] = &[
     ),
     (
         "M-3 0C-2 .1 0 0 0 0 0 0 2-.11 3 0",
-        "component 0 has a corner of 2.856908734510114e-1 degrees at the start of segment 1, at (0, 0), where both handles have no length: draw them out into one line",
+        "component 0 has a corner of 2.856908734510114e-1 degrees at the start of segment 1, at (0, 0), where two segments meet that have a handle of length zero: draw these handles out",
     ),
 ];
 

@@ -237,7 +237,7 @@ fn paint_does_not_matter_and_order_is_that_of_the_document() {
 
 #[test]
 fn entities_of_a_document_type_are_read() {
-    let svg = "<!DOCTYPE svg [<!ENTITY d 'M1 2 L3 5'>]>\
+    let svg = "\u{feff}<!DOCTYPE svg [<!ENTITY d 'M1 2 L3 5'>]>\
                <svg xmlns='http://www.w3.org/2000/svg'><path d='&d;'/></svg>";
     assert_eq!(Curve::from_svg(svg).unwrap().extent(), 3.0);
 }

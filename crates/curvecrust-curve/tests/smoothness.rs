@@ -120,6 +120,27 @@ fn a_segment_without_a_handle_keeps_its_shape_and_the_other_turns() {
 }
 
 #[test]
+fn a_segment_without_one_handle_stays_smooth_at_both_ends() {
+    // The control point near the end of the second segment gives its tangent at both ends.
+    let out = DVec2::from_angle(0.01);
+    let end = v(5.0, 1.0);
+    let into = (end - out * 2.0).normalize();
+    let given = vec![
+        bent(0.0)[0],
+        CubicBezier::new([DVec2::ZERO, DVec2::ZERO, out * 2.0, end]),
+        CubicBezier::new([
+            end,
+            end + DVec2::from_angle(0.01).rotate(into),
+            v(8.0, 2.0),
+            v(9.0, 2.0),
+        ]),
+    ];
+    let curve = Curve::new(vec![Component::new(given.clone(), false)]).unwrap();
+    assert!(roughness(&curve) < 1e-12);
+    assert_eq!(curve.components()[0].segments()[1], given[1]);
+}
+
+#[test]
 fn two_segments_without_handles_at_a_bend_are_refused() {
     let given = vec![
         CubicBezier::new([v(-3.0, 0.0), v(-2.0, 0.1), DVec2::ZERO, DVec2::ZERO]),
