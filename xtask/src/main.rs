@@ -10,6 +10,7 @@ mod fetch_paper_data;
 mod reproduce_paper;
 mod root;
 mod test;
+mod whole;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

@@ -69,6 +69,20 @@ impl CubicBezier {
         p0 * (s * s * s) + p1 * (3.0 * s * s * t) + p2 * (3.0 * s * t * t) + p3 * (t * t * t)
     }
 
+    /// The point at t by Bernstein polynomials, all in single precision.
+    pub(crate) fn point_in_single(&self, t: f64) -> DVec2 {
+        let [p0, p1, p2, p3] = self.control.map(DVec2::as_vec2);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "rounded, as is everything here"
+        )]
+        let t = t as f32;
+        let u = 1.0 - t;
+        let p =
+            p0 * (u * u * u) + p1 * (3.0 * u * u * t) + p2 * (3.0 * u * t * t) + p3 * (t * t * t);
+        p.as_dvec2()
+    }
+
     /// The derivative `B'(t)`.
     #[must_use]
     pub fn derivative(&self, t: f64) -> DVec2 {

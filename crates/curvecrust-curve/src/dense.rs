@@ -5,6 +5,7 @@ use std::ops::Range;
 use curvecrust_geometry::PointSet;
 use glam::DVec2;
 
+use crate::bezier::CubicBezier;
 use crate::curve::{Curve, CurveParam, without_dust};
 use crate::error::DenseError;
 
@@ -84,6 +85,25 @@ impl DenseCurve {
     /// # Errors
     /// If n is 0, or the points would be more than [`DENSE_LIMIT`].
     pub fn per_segment(curve: &Curve, n: u32) -> Result<Self, DenseError> {
+        Self::at_equal_steps(curve, n, CubicBezier::point)
+    }
+
+    /// The same as [`per_segment`](Self::per_segment), in the arithmetic of the paper's authors:
+    /// control points and the Bernstein polynomials in single precision. The points carry noise of
+    /// 1e-7 of their coordinates.
+    ///
+    /// # Errors
+    /// As [`per_segment`](Self::per_segment); and [`DenseError::Coordinate`] if a coordinate is too
+    /// large for single precision.
+    pub fn per_segment_in_single(curve: &Curve, n: u32) -> Result<Self, DenseError> {
+        Self::at_equal_steps(curve, n, CubicBezier::point_in_single)
+    }
+
+    fn at_equal_steps(
+        curve: &Curve,
+        n: u32,
+        point: impl Fn(&CubicBezier, f64) -> DVec2,
+    ) -> Result<Self, DenseError> {
         if n == 0 {
             return Err(DenseError::NoPieces { index: 0 });
         }
@@ -101,7 +121,7 @@ impl DenseCurve {
                             segment,
                             t,
                         };
-                        push(bezier.point(t), at);
+                        push(point(bezier, t), at);
                     };
                     for i in 0..n {
                         push_at(f64::from(i) / f64::from(n));
@@ -156,17 +176,6 @@ impl DenseCurve {
             });
         }
         builder.finish()
-    }
-
-    /// The same points rounded to single precision, as the paper's authors store them; consecutive
-    /// points may become equal. Parameters stay.
-    ///
-    /// # Errors
-    /// [`DenseError::Coordinate`] if a coordinate is too large for single precision.
-    pub fn rounded_to_single(self) -> Result<Self, DenseError> {
-        let points = self.points.iter().map(|p| p.as_vec2().as_dvec2());
-        let points = points.collect();
-        Self::new(points, self.params, self.components)
     }
 
     /// The points, component by component in order along the curve.

@@ -1,1 +1,14 @@
-//! Tables and figures of curve reconstruction experiments
+//! From the rows of an experiment to what people read: pure functions, no measuring.
+//!
+//! | module | what it gives |
+//! |---|---|
+//! | [`published`] | the numbers that the paper prints in its Tables 1 to 3 |
+//! | [`paper`] | rows of those tables as measured, and their [agreement](paper::PaperReport::agreement) with the paper |
+//! | [`render`] | the same as Markdown, CSV and JSON |
+
+mod agreement;
+pub mod paper;
+pub mod published;
+pub mod render;
+
+pub use paper::{Counts, CurveOrigin, PaperReport, Setting, Table1Row, Table2Row, Table3Row};
