@@ -14,9 +14,8 @@
 use curvecrust_geometry::{EdgeSet, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
-use crate::delaunay_edge::{filtered, sights};
 use crate::error::ReconstructError;
-use crate::sight::Sight;
+use crate::sight::{Sight, filtered, sights};
 
 /// The parameter of a beta-skeleton: finite and at least 1.
 ///

@@ -17,15 +17,15 @@ use curvecrust_voronoi::{Delaunay, DualEdge};
 use rayon::prelude::*;
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
-use crate::delaunay_edge::edge_of;
 use crate::one_step_crust::is_crust_edge;
-use crate::pencil::VoronoiVertices;
+use crate::sight::edge_of;
+use crate::voronoi_vertices::VoronoiVertices;
 
 /// The edges of Crust.
 ///
-/// A disc with Voronoi vertices on its boundary is free of them, so edges stay where triangulations
-/// of cocircular points would have a choice. Whether the ends of the dual spare a disc is decided
-/// exactly; the other Voronoi vertices are rounded as all results are.
+/// Exact: the Voronoi vertices count where they are, not where rounding puts them. A disc with
+/// Voronoi vertices on its boundary is free of them, so edges stay where a triangulation of S u V
+/// would have a choice.
 #[must_use]
 pub fn crust(points: &PointSet) -> EdgeSet {
     let delaunay = Delaunay::new(points);
@@ -36,10 +36,7 @@ pub fn crust(points: &PointSet) -> EdgeSet {
     let vertices = VoronoiVertices::new(points, &delaunay);
     let kept: Vec<_> = candidates
         .par_iter()
-        .filter(|dual| {
-            let [p, q] = dual.ends.map(|id| points[id]);
-            vertices.spare_a_disc_through(p, q)
-        })
+        .filter(|dual| vertices.spare_a_disc_through(dual.ends))
         .filter_map(edge_of)
         .collect();
     EdgeSet::new(points.len(), kept)

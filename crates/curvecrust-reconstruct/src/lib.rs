@@ -44,9 +44,8 @@
 pub mod algorithm;
 pub mod beta_skeleton;
 pub mod crust;
-mod delaunay_edge;
 pub mod error;
-mod expansion;
+mod exact;
 pub mod hnn_crust;
 pub mod neighbours;
 pub mod nn_crust;
@@ -58,6 +57,8 @@ mod sight;
 pub mod skeleton;
 pub mod sphere_of_influence;
 pub mod violations;
+mod voronoi_vertex;
+mod voronoi_vertices;
 
 pub use algorithm::{ALGORITHMS, AlgorithmInfo, Condition, Guarantee, Reconstructor};
 pub use beta_skeleton::{Beta, BetaSkeleton, beta_skeleton};

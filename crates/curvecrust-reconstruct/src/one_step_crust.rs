@@ -10,14 +10,31 @@
 //! |t1| t2 >= |pq|^2 / 4. An unbounded side has an angle of 0.
 //!
 //! Contains every edge of [`crust`](mod@crate::crust), which asks the same of all Voronoi vertices
-//! and not only of v1 and v2. Cost: that of the Delaunay triangulation, O(n log n).
+//! and not only of v1 and v2. The two agree on dense samples; elsewhere another Voronoi vertex may
+//! lie in every disc that v1 and v2 leave. Here it belongs to a sliver three points away:
+//!
+//! ```
+//! use curvecrust_geometry::{DVec2, Edge, PointSet};
+//! use curvecrust_reconstruct::{crust, one_step_crust};
+//!
+//! let points = [(1.0, 7.0), (4.0, 3.0), (2.0, 2.0), (5.0, 1.0), (6.0, 0.0)];
+//! let points = PointSet::new(points.map(DVec2::from).to_vec())?;
+//! // Outside of the hull edge (1, 7) - (4, 3), its dual is unbounded. But there lies the
+//! // circumcentre (9.5, 4.5) of (4, 3), (5, 1), (6, 0), and a disc that avoids it and touches both
+//! // ends of the edge holds (2, 4.6), the circumcentre on the other side of the edge.
+//! let hull_edge = Edge::new(0.into(), 1.into());
+//! let one_step = one_step_crust(&points).crust;
+//! assert!(one_step.difference(&crust(&points)).eq(hull_edge));
+//! # Ok::<(), curvecrust_geometry::PointSetError>(())
+//! ```
+//!
+//! Cost: that of the Delaunay triangulation, O(n log n).
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
-use crate::delaunay_edge::{edge_of, filtered, sights};
-use crate::sight::Sight;
+use crate::sight::{Sight, edge_of, filtered, sights};
 use crate::skeleton::{Skeleton, SkeletonEdge};
 
 /// What the one-step crust finds: each Delaunay edge is in the crust, or its dual in the skeleton.

@@ -1,174 +1,156 @@
-//! Whether Voronoi vertices leave room for a disc that touches two samples.
+//! The pencil of discs through two samples, and how a Voronoi vertex cuts it.
 
-use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, PointSet, orient2d};
-use curvecrust_voronoi::Delaunay;
-use rstar::{AABB, PointDistance, RTree, RTreeObject};
+use std::cmp::Ordering;
 
-/// The Voronoi vertices of a point set, ready for searches.
-pub(crate) struct VoronoiVertices {
-    tree: RTree<VoronoiVertex>,
-}
+use curvecrust_geometry::{DVec2, PointId, PointSet};
+use num_bigint::BigInt;
 
-impl VoronoiVertices {
-    pub(crate) fn new(points: &PointSet, delaunay: &Delaunay) -> Self {
-        let vertices = delaunay
-            .triangles()
-            .map(|triangle| VoronoiVertex::of(triangle.map(|id| points[id])));
-        Self {
-            tree: RTree::bulk_load(vertices.collect()),
-        }
-    }
+use crate::exact::{Vector, cross, dot, integers, is_negative, is_positive, sub};
+use crate::voronoi_vertex::VoronoiVertex;
 
-    /// Whether some disc with `p` and `q` on its boundary has no Voronoi vertex inside.
-    ///
-    /// Tries one disc after the other. Every Voronoi vertex in a disc narrows the range of discs
-    /// that may still be free and drives the disc out of it; the next one halves what is left.
-    pub(crate) fn spare_a_disc_through(&self, p: DVec2, q: DVec2) -> bool {
-        let pencil = Pencil { p, across: q - p };
-        let mut range = Range::ALL;
-        loop {
-            let tried = range.probe();
-            let Some((centre, reach_squared)) = pencil.disc(tried) else {
-                // Too large for a tree: every vertex is asked.
-                self.tree.iter().for_each(|v| range.narrow(&pencil, v));
-                return !range.is_empty();
-            };
-            let near = self
-                .tree
-                .nearest_neighbor_iter_with_distance_2(centre)
-                .take_while(|&(_, distance_squared)| distance_squared <= reach_squared);
-            for (vertex, _) in near {
-                range.narrow(&pencil, vertex);
-                if !range.contains(tried) {
-                    break;
-                }
-            }
-            if range.is_empty() {
-                return false;
-            }
-            if range.contains(tried) {
-                return true;
-            }
-        }
-    }
-}
-
-/// The circumcentre of a Delaunay triangle, as an offset from one of its corners: near corners, a
-/// coordinate would have lost the digits that matter, and a shift of all points would change them.
-struct VoronoiVertex {
-    corner: DVec2,
-    offset: DVec2,
-}
-
-impl VoronoiVertex {
-    /// Of a counter-clockwise triangle.
-    fn of(corners: [DVec2; 3]) -> Self {
-        // The corner opposite the longest side: its own sides are the shortest.
-        let opposite = |i: usize| corners[(i + 1) % 3].distance_squared(corners[(i + 2) % 3]);
-        let first = [1, 2].into_iter().fold(0, |best, i| {
-            let longer = opposite(i).total_cmp(&opposite(best));
-            let before = by_coordinates(corners[best], corners[i]);
-            if longer.then(before).is_gt() { i } else { best }
-        });
-        let [a, b, c] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
-        let (ab, ac) = (b - a, c - a);
-        let across = ac * ab.length_squared() - ab * ac.length_squared();
-        // The area from the exact predicate: positive even for a sliver.
-        let offset = -across.perp() / (2.0 * orient2d(a, b, c));
-        Self { corner: a, offset }
-    }
-
-    fn position(&self) -> [f64; 2] {
-        (self.corner + self.offset).into()
-    }
-}
-
-impl RTreeObject for VoronoiVertex {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        AABB::from_point(self.position())
-    }
-}
-
-impl PointDistance for VoronoiVertex {
-    fn distance_2(&self, point: &[f64; 2]) -> f64 {
-        DVec2::from(self.position()).distance_squared((*point).into())
-    }
-}
+/// Half a unit in the last place of 1: the relative error of one operation.
+const U: f64 = f64::EPSILON / 2.0;
 
 /// All discs with p and q on their boundary, each named by the cotangent of the angle under which
 /// pq is seen from its boundary on the left: 0 for the smallest disc, more for centres to the left.
-struct Pencil {
+pub(crate) struct Pencil<'a> {
+    points: &'a PointSet,
+    ends: [PointId; 2],
     p: DVec2,
     /// q - p.
     across: DVec2,
 }
 
-impl Pencil {
-    /// Centre and squared radius, enlarged by more than the rounding of any distance to the centre
-    /// and of the disc of any vertex; `None` beyond the range of doubles.
-    fn disc(&self, cotangent: f64) -> Option<([f64; 2], f64)> {
+/// Where a Voronoi vertex cuts a pencil: discs with larger cotangents hold it if it is to the left
+/// of pq, those with smaller ones if it is to the right.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cut<'a> {
+    vertex: &'a VoronoiVertex,
+    /// The cotangent is between these.
+    pub(crate) least: f64,
+    pub(crate) most: f64,
+}
+
+/// What a Voronoi vertex does to a pencil.
+pub(crate) enum Effect<'a> {
+    /// It is to the left: no disc beyond the cut is free of it.
+    Above(Cut<'a>),
+    /// It is to the right: no disc before the cut is free of it.
+    Below(Cut<'a>),
+    /// It lies between p and q, inside every disc.
+    Everywhere,
+    /// It lies on the line through p and q, outside of every disc.
+    Nowhere,
+}
+
+impl<'a> Pencil<'a> {
+    pub(crate) fn new(points: &'a PointSet, ends: [PointId; 2]) -> Self {
+        let [p, q] = ends.map(|id| points[id]);
+        Self {
+            points,
+            ends,
+            p,
+            across: q - p,
+        }
+    }
+
+    /// Centre and squared radius of a disc, the radius enlarged by more than all rounding errors,
+    /// so that the disc holds the rounded place of each vertex inside the true disc; `None` beyond
+    /// the range of doubles.
+    pub(crate) fn disc(&self, cotangent: f64) -> Option<(DVec2, f64)> {
         let to_centre = (self.across + cotangent * self.across.perp()) / 2.0;
         let centre = self.p + to_centre;
-        let radius = to_centre.length();
-        let slack = 32.0 * f64::EPSILON * (radius + centre.length());
-        let reach = radius + slack;
+        // A vertex errs by 2^-20 of its distance to a sample, so by 2^-19 of the radius.
+        let reach = to_centre.length() * (1.0 + 2f64.powi(-18)) + 64.0 * U * centre.length();
         let squared = reach * reach;
-        squared.is_finite().then(|| (centre.into(), squared))
+        squared.is_finite().then_some((centre, squared))
     }
-}
 
-/// The discs of a pencil that no vertex has ruled out, by their cotangents.
-#[derive(Clone, Copy, Debug)]
-struct Range {
-    low: f64,
-    high: f64,
-}
-
-impl Range {
-    const ALL: Self = Self {
-        low: f64::NEG_INFINITY,
-        high: f64::INFINITY,
-    };
-
-    /// Rules out the discs that hold the vertex.
-    fn narrow(&mut self, pencil: &Pencil, vertex: &VoronoiVertex) {
-        let from_p = (vertex.corner - pencil.p) + vertex.offset;
-        // Far vertices of slivers would overflow in squares.
-        let size = from_p.abs().max_element();
-        let direction = from_p / size;
-        let sine = pencil.across.perp_dot(direction);
-        let cosine = size * direction.length_squared() - direction.dot(pencil.across);
-        if sine > 0.0 {
-            self.high = self.high.min(cosine / sine);
-        } else if sine < 0.0 {
-            self.low = self.low.max(cosine / sine);
-        } else if cosine < 0.0 {
-            // Between p and q: inside every disc.
-            self.high = f64::NEG_INFINITY;
+    /// What the vertex does: the side exactly, the cut with bounds.
+    pub(crate) fn effect<'v>(&self, vertex: &'v VoronoiVertex) -> Effect<'v> {
+        let seen = vertex.seen_from(self.p);
+        // Vertices of slivers are so far that squares of their distances would overflow.
+        let size = seen.vector.abs().max_element();
+        let direction = seen.vector / size;
+        let error = seen.error / size;
+        let width = self.across.length();
+        let sine = self.across.perp_dot(direction);
+        let cosine = size * direction.length_squared() - direction.dot(self.across);
+        let sine_error = width * (16.0 * U + error);
+        let cosine_error = (16.0 * U + error) * 4.0 * (size + width) + error * error * size;
+        // Not so if anything is infinite or NaN, too.
+        if sine.abs() > 2.0 * sine_error {
+            let cotangent = cosine / sine;
+            let error = 4.0 * (cosine_error + cotangent.abs() * sine_error) / sine.abs();
+            let cut = Cut::new(vertex, cotangent, error);
+            return if sine > 0.0 {
+                Effect::Above(cut)
+            } else {
+                Effect::Below(cut)
+            };
         }
-    }
-
-    fn contains(&self, cotangent: f64) -> bool {
-        self.low <= cotangent && cotangent <= self.high
-    }
-
-    fn is_empty(&self) -> bool {
-        self.low > self.high
-    }
-
-    /// The smallest disc if it is left, else one in the middle, so that the range shrinks fast.
-    fn probe(&self) -> f64 {
-        if self.contains(0.0) {
-            0.0
-        } else if self.high.is_infinite() {
-            2.0 * self.low + 1.0
-        } else if self.low.is_infinite() {
-            2.0 * self.high - 1.0
+        let Cotangent { cosine, sine } = self.exact(vertex);
+        let cut = Cut::new(vertex, 0.0, f64::INFINITY);
+        if is_positive(&sine) {
+            Effect::Above(cut)
+        } else if is_negative(&sine) {
+            Effect::Below(cut)
+        } else if is_negative(&cosine) {
+            Effect::Everywhere
         } else {
-            self.low / 2.0 + self.high / 2.0
+            Effect::Nowhere
         }
     }
+
+    /// Compares the places of two cuts, exactly.
+    pub(crate) fn compare(&self, a: &Cut<'_>, b: &Cut<'_>) -> Ordering {
+        if a.most < b.least {
+            Ordering::Less
+        } else if a.least > b.most {
+            Ordering::Greater
+        } else if std::ptr::eq(a.vertex, b.vertex) {
+            Ordering::Equal
+        } else {
+            let (a, b) = (self.exact(a.vertex), self.exact(b.vertex));
+            let same_side = is_positive(&a.sine) == is_positive(&b.sine);
+            let order = (a.cosine * &b.sine).cmp(&(b.cosine * &a.sine));
+            if same_side { order } else { order.reverse() }
+        }
+    }
+
+    /// The cotangent under which the vertex sees pq, from the coordinates of its triangle.
+    fn exact(&self, vertex: &VoronoiVertex) -> Cotangent {
+        let ([p, q], [a, b, c]) = (self.ends, vertex.corners);
+        let ([p, q, a, b, c], _) = integers([p, q, a, b, c].map(|id| self.points[id]));
+        let (across, to_corner) = (sub(&q, &p), sub(&a, &p));
+        let (ab, ac) = (sub(&b, &a), sub(&c, &a));
+        let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));
+        // The vertex is at p + place / weight.
+        let weight: BigInt = 2 * cross(&ab, &ac);
+        let place: Vector = [
+            &to_corner[0] * &weight + &ac[1] * &bb - &ab[1] * &cc,
+            &to_corner[1] * &weight + &ab[0] * &cc - &ac[0] * &bb,
+        ];
+        let far_end = across.each_ref().map(|x| x * &weight);
+        Cotangent {
+            cosine: dot(&place, &sub(&place, &far_end)),
+            sine: cross(&across, &place) * weight,
+        }
+    }
+}
+
+impl<'a> Cut<'a> {
+    fn new(vertex: &'a VoronoiVertex, cotangent: f64, error: f64) -> Self {
+        Self {
+            vertex,
+            least: cotangent - error,
+            most: cotangent + error,
+        }
+    }
+}
+
+/// Cosine and sine of an angle, times the same positive number.
+struct Cotangent {
+    cosine: BigInt,
+    sine: BigInt,
 }

@@ -2,10 +2,11 @@
 
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Chain, DVec2, PointId, PointSet, orient2d};
+use num_bigint::BigInt;
 use rayon::prelude::*;
 use rstar::{AABB, RTree, RTreeObject};
 
-use crate::expansion::Expansion;
+use crate::exact::{common_exponent, cross, integer, is_negative};
 
 /// Whether the signed area of the ring is negative, exactly.
 pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
@@ -30,16 +31,12 @@ pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
     if area.abs() > error {
         return area < 0.0;
     }
-    let next = ring.iter().cycle().skip(1);
-    let exact = ring
-        .iter()
-        .zip(next)
-        .fold(Expansion::default(), |sum, (&a, &b)| {
-            let (a, b) = (points[a], points[b]);
-            sum.plus(&Expansion::product(a.x, b.y))
-                .minus(&Expansion::product(a.y, b.x))
-        });
-    exact.sign() < 0.0
+    let places: Vec<DVec2> = ring.iter().map(|&v| points[v]).collect();
+    let exponent = common_exponent(&places);
+    let places: Vec<_> = places.iter().map(|&p| integer(p, exponent)).collect();
+    let next = places.iter().cycle().skip(1);
+    let area: BigInt = places.iter().zip(next).map(|(a, b)| cross(a, b)).sum();
+    is_negative(&area)
 }
 
 /// For each chain how many rings surround it; `None` for open chains.

@@ -1,9 +1,11 @@
-//! The angles under which an edge is seen from other points, compared without rounding error.
+//! The angles under which Delaunay edges are seen from their apexes, compared without rounding
+//! error.
 
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet};
+use curvecrust_voronoi::{Delaunay, DualEdge};
 use glam::Vec2Swizzles;
 
-use crate::expansion::Expansion;
+use crate::exact::{self, integers, is_negative, is_positive, sub};
 
 /// Half a unit in the last place of 1: the relative error of one operation.
 const U: f64 = f64::EPSILON / 2.0;
@@ -31,12 +33,11 @@ impl Sight {
         let dot = self.u.dot(self.v);
         // Each product errs by 3 U, their sum by one more.
         let error = 8.0 * U * self.u.abs().dot(self.v.abs());
-        let sign = if dot.abs() > error {
-            dot
-        } else {
-            self.exact_dot().sign()
-        };
-        sign > 0.0
+        if dot.abs() > error {
+            return dot > 0.0;
+        }
+        let ([p, q, from], _) = integers([self.p, self.q, self.from]);
+        is_positive(&exact::dot(&sub(&p, &from), &sub(&q, &from)))
     }
 
     /// The cotangent of the angle, in floating point; infinite for slivers.
@@ -45,7 +46,8 @@ impl Sight {
         self.u.dot(self.v) / self.u.perp_dot(self.v).abs()
     }
 
-    /// Whether this angle and `other` sum to 90 degrees or less, exactly; both must be acute.
+    /// Whether this angle and that under which `other` sees the edge from its right sum to 90
+    /// degrees or less, exactly; both must be acute.
     pub(crate) fn sums_to_right_angle_at_most(&self, other: &Self) -> bool {
         // cos(a + b) = cos a cos b - sin a sin b >= 0.
         let cosines = self.u.dot(self.v) * other.u.dot(other.v);
@@ -57,27 +59,37 @@ impl Sight {
         if estimate.abs() > error {
             return estimate > 0.0;
         }
-        let cosines = self.exact_dot().times(&other.exact_dot());
-        let sines = self.exact_cross().times(&other.exact_cross());
-        cosines.minus(&sines).sign() >= 0.0
+        // Both edges are pq, in either direction.
+        let ([p, q, a, b], _) = integers([self.p, self.q, self.from, other.from]);
+        let [u, v] = [sub(&p, &a), sub(&q, &a)];
+        let [x, y] = [sub(&q, &b), sub(&p, &b)];
+        let cosines = exact::dot(&u, &v) * exact::dot(&x, &y);
+        let sines = exact::cross(&u, &v) * exact::cross(&x, &y);
+        !is_negative(&(cosines - sines))
     }
+}
 
-    fn exact_dot(&self) -> Expansion {
-        let [[ux, uy], [vx, vy]] = self.exact_sides();
-        ux.times(&vx).plus(&uy.times(&vy))
-    }
+/// How a Delaunay edge is seen from the apexes of its triangles, left and right; `None` where the
+/// hull leaves none, an angle of zero.
+pub(crate) type Sights = [Option<Sight>; 2];
 
-    fn exact_cross(&self) -> Expansion {
-        let [[ux, uy], [vx, vy]] = self.exact_sides();
-        ux.times(&vy).minus(&uy.times(&vx))
-    }
+pub(crate) fn sights(points: &PointSet, dual: &DualEdge) -> Sights {
+    let [p, q] = dual.ends.map(|id| points[id]);
+    let [left, right] = dual.apexes.map(|apex| apex.map(|id| points[id]));
+    [
+        left.map(|from| Sight::new(p, q, from)),
+        right.map(|from| Sight::new(q, p, from)),
+    ]
+}
 
-    fn exact_sides(&self) -> [[Expansion; 2]; 2] {
-        [self.p, self.q].map(|end| {
-            [
-                Expansion::difference(end.x, self.from.x),
-                Expansion::difference(end.y, self.from.y),
-            ]
-        })
-    }
+/// The Delaunay edges that `keep` wants.
+pub(crate) fn filtered(points: &PointSet, keep: impl Fn(&DualEdge) -> bool) -> EdgeSet {
+    let delaunay = Delaunay::new(points);
+    let kept = delaunay.edges().filter(keep);
+    EdgeSet::new(points.len(), kept.filter_map(|dual| edge_of(&dual)))
+}
+
+pub(crate) fn edge_of(dual: &DualEdge) -> Option<Edge> {
+    let [p, q] = dual.ends;
+    Edge::new(p, q)
 }

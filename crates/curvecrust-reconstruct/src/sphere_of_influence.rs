@@ -13,8 +13,8 @@ use curvecrust_geometry::{EdgeSet, PointId, PointSet, in_circle};
 use curvecrust_voronoi::DualEdge;
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
-use crate::delaunay_edge::filtered;
 use crate::neighbours::{HalfRule, neighbours};
+use crate::sight::filtered;
 
 /// The sphere-of-influence graph among Delaunay edges; circles that touch meet.
 ///

@@ -1,0 +1,94 @@
+//! Points as integers, for signs that floating point cannot settle.
+
+use curvecrust_geometry::DVec2;
+use num_bigint::{BigInt, Sign};
+
+/// A vector of integers.
+pub(crate) type Vector = [BigInt; 2];
+
+/// Points multiplied by the power of two that makes all their coordinates integers, and that
+/// power's negative exponent: `points[i] = integers[i] * 2^exponent`.
+pub(crate) fn integers<const N: usize>(points: [DVec2; N]) -> ([Vector; N], i32) {
+    let exponent = common_exponent(&points);
+    (points.map(|p| integer(p, exponent)), exponent)
+}
+
+/// The largest power of two, by its exponent, of which all coordinates are multiples.
+pub(crate) fn common_exponent(points: &[DVec2]) -> i32 {
+    let coordinates = points.iter().flat_map(|p| [p.x, p.y]);
+    let last_bits = coordinates.filter(|&x| x != 0.0).map(|x| parts(x).1);
+    last_bits.min().unwrap_or(0)
+}
+
+/// The point divided by 2^exponent, which must divide it.
+pub(crate) fn integer(point: DVec2, exponent: i32) -> Vector {
+    [point.x, point.y].map(|x| {
+        let (mantissa, own) = parts(x);
+        BigInt::from(mantissa) << own.saturating_sub(exponent).max(0).unsigned_abs()
+    })
+}
+
+/// `x = mantissa * 2^exponent` with an odd mantissa, or zero.
+fn parts(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let biased = i32::try_from(bits >> 52 & 0x7ff).unwrap_or(0);
+    let fraction = (bits & ((1 << 52) - 1)).cast_signed();
+    // Subnormal numbers lack the leading bit.
+    let (mantissa, exponent) = match biased {
+        0 => (fraction, -1074),
+        _ => (fraction | 1 << 52, biased - 1075),
+    };
+    let zeros = mantissa.trailing_zeros() % 64;
+    let odd = mantissa >> zeros;
+    let signed = if x.is_sign_negative() { -odd } else { odd };
+    (signed, exponent + zeros.cast_signed())
+}
+
+pub(crate) fn sub(p: &Vector, q: &Vector) -> Vector {
+    [&p[0] - &q[0], &p[1] - &q[1]]
+}
+
+pub(crate) fn dot(u: &Vector, v: &Vector) -> BigInt {
+    &u[0] * &v[0] + &u[1] * &v[1]
+}
+
+/// Positive iff `v` is to the left of `u`.
+pub(crate) fn cross(u: &Vector, v: &Vector) -> BigInt {
+    &u[0] * &v[1] - &u[1] * &v[0]
+}
+
+pub(crate) fn is_positive(x: &BigInt) -> bool {
+    x.sign() == Sign::Plus
+}
+
+pub(crate) fn is_negative(x: &BigInt) -> bool {
+    x.sign() == Sign::Minus
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use curvecrust_geometry::PointSet;
+    use num_traits::ToPrimitive;
+
+    #[test]
+    fn integers_are_the_points() {
+        let (big, small) = (PointSet::MAX_MAGNITUDE, PointSet::MIN_MAGNITUDE);
+        let points = [
+            DVec2::new(1.5, -3.0),
+            DVec2::new(0.1, 0.0),
+            DVec2::new(-big, small),
+            DVec2::new(5e-324, 2f64.powi(-1022)),
+        ];
+        for p in points {
+            let (near, exponent) = integers([p, DVec2::X]);
+            let back = near[0].clone().map(|x| x.to_f64().unwrap());
+            // Two steps: a power of two may be out of range where the product is not.
+            let half = 2f64.powi(exponent / 2);
+            let rest = 2f64.powi(exponent - exponent / 2);
+            assert_eq!(DVec2::from(back) * half * rest, p);
+        }
+        assert_eq!(integers([DVec2::new(6.0, -4.0)]).1, 1);
+        assert_eq!(integers([DVec2::ZERO]), ([[0.into(), 0.into()]], 0));
+    }
+}

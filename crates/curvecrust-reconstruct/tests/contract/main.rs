@@ -1,0 +1,209 @@
+//! What every algorithm promises, whatever the points.
+
+#![allow(clippy::unwrap_used, reason = "a test that fails panics")]
+
+mod exact;
+mod inputs;
+mod oracles;
+
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError};
+use curvecrust_reconstruct::{
+    ALGORITHMS, Beta, HnnCrust, ReconstructError, Reconstruction, Reconstructor, ViolationReport,
+};
+use inputs::{any_points, distances_differ, mapped, shifted};
+use proptest::prelude::*;
+
+/// The edges from the definition.
+fn oracle(name: &str, points: &PointSet) -> EdgeSet {
+    match name {
+        "hnn-crust" => oracles::hnn_crust(points),
+        "hnn-crust-union" => oracles::hnn_crust_union(points),
+        "nn-crust" => oracles::nn_crust(points),
+        "crust" => oracles::crust(points),
+        "one-step-crust" => oracles::one_step_crust(points),
+        "beta-skeleton" => oracles::beta_skeleton(points, 1.7),
+        "gabriel" => oracles::beta_skeleton(points, 1.0),
+        "sphere-of-influence" => oracles::sphere_of_influence(points),
+        other => panic!("write an oracle for {other}"),
+    }
+}
+
+/// The same for `moved` as for `points`, for all algorithms.
+fn same_edges(points: &PointSet, moved: Option<&PointSet>) -> Result<(), TestCaseError> {
+    let Some(moved) = moved else { return Ok(()) };
+    for algorithm in ALGORITHMS {
+        let name = algorithm.info().name;
+        prop_assert_eq!(
+            algorithm.reconstruct(moved),
+            algorithm.reconstruct(points),
+            "{}",
+            name
+        );
+    }
+    Ok(())
+}
+
+/// The set with the points in another order: `order[new]` is the old id.
+fn permuted(points: &PointSet, order: &[PointId]) -> PointSet {
+    PointSet::new(order.iter().map(|&id| points[id]).collect()).unwrap()
+}
+
+fn relabelled(edges: &EdgeSet, order: &[PointId]) -> EdgeSet {
+    let old = |e: &Edge| Edge::new(order[e.a().index()], order[e.b().index()]);
+    EdgeSet::new(edges.vertex_count(), edges.edges().iter().filter_map(old))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn edges_are_valid_and_become_chains(points in any_points()) {
+        for algorithm in ALGORITHMS {
+            let edges = algorithm.reconstruct(&points);
+            prop_assert_eq!(edges.vertex_count(), points.len());
+            prop_assert!(edges.edges().is_sorted_by(|e, f| e < f));
+            let found = Reconstruction::new(&points, edges.clone()).unwrap();
+            let chains = found.chains().iter();
+            let mut covered: Vec<Edge> = chains.flat_map(|c| c.chain.edges()).collect();
+            covered.sort_unstable();
+            prop_assert_eq!(covered, edges.edges());
+            prop_assert!(ViolationReport::new(&points, &edges).is_ok());
+        }
+    }
+
+    #[test]
+    fn permuted_points_have_permuted_edges(
+        (points, order) in any_points().prop_flat_map(|points| {
+            let ids: Vec<PointId> = points.ids().collect();
+            (Just(points), Just(ids).prop_shuffle())
+        }),
+    ) {
+        let shuffled = permuted(&points, &order);
+        for algorithm in ALGORITHMS {
+            let edges = relabelled(&algorithm.reconstruct(&shuffled), &order);
+            prop_assert_eq!(edges, algorithm.reconstruct(&points), "{}", algorithm.info().name);
+        }
+    }
+
+    #[test]
+    fn exact_shifts_and_scales_change_nothing(
+        points in any_points(),
+        shift in prop::sample::select(vec![1.0, 1000.0, 1048576.0]),
+        exponent in -80..80i32,
+    ) {
+        same_edges(&points, shifted(&points, DVec2::new(shift, -0.75 * shift)).as_ref())?;
+        same_edges(&points, mapped(&points, |p| p * 2f64.powi(exponent)).as_ref())?;
+    }
+
+    #[test]
+    fn right_angles_and_mirrors_change_nothing(points in any_points()) {
+        if distances_differ(&points) {
+            same_edges(&points, mapped(&points, DVec2::perp).as_ref())?;
+            same_edges(&points, mapped(&points, |p| DVec2::new(-p.x, p.y)).as_ref())?;
+            same_edges(&points, mapped(&points, |p| DVec2::new(p.y, p.x)).as_ref())?;
+        }
+    }
+
+    #[test]
+    fn one_thread_and_many_agree(points in any_points()) {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| ALGORITHMS.iter().map(|a| a.reconstruct(&points)).collect::<Vec<_>>())
+        };
+        prop_assert_eq!(on(1), on(4));
+    }
+
+    #[test]
+    fn termini_are_honoured_or_refused(points in any_points(), picks in prop::collection::vec(0..60usize, 0..4)) {
+        let inside = picks.iter().filter(|&&i| i < points.len());
+        let termini: Vec<PointId> = inside.filter_map(|&i| PointId::new(i)).collect();
+        for algorithm in ALGORITHMS {
+            let info = algorithm.info();
+            let open = algorithm.reconstruct_open(&points, &termini);
+            if termini.is_empty() {
+                prop_assert_eq!(open, Ok(algorithm.reconstruct(&points)));
+            } else if info.honours_termini {
+                let all = algorithm.reconstruct(&points);
+                prop_assert_eq!(open.unwrap().difference(&all).count(), 0);
+            } else {
+                let refused = ReconstructError::TerminiNotHonoured { algorithm: info.name };
+                prop_assert_eq!(open, Err(refused));
+            }
+        }
+    }
+
+    #[test]
+    fn crusts_contain_each_other(points in any_points()) {
+        let by = |name: &str| {
+            let found = ALGORITHMS.iter().find(|a| a.info().name == name);
+            found.unwrap().reconstruct(&points)
+        };
+        let inside = |small: &str, large: &str| by(small).difference(&by(large)).count() == 0;
+        prop_assert!(inside("hnn-crust", "hnn-crust-union"));
+        prop_assert!(inside("crust", "one-step-crust"));
+        prop_assert!(inside("beta-skeleton", "gabriel"));
+        prop_assert!(inside("one-step-crust", "gabriel"));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn edges_are_those_of_the_definition(points in any_points()) {
+        for algorithm in ALGORITHMS {
+            let name = algorithm.info().name;
+            prop_assert_eq!(algorithm.reconstruct(&points), oracle(name, &points), "{}", name);
+        }
+    }
+}
+
+#[test]
+fn errors_name_index_and_value() {
+    let points = PointSet::new(vec![DVec2::ZERO, DVec2::X]).unwrap();
+    let termini = [PointId::from(1), PointId::from(7)];
+    let message = |error: &dyn std::error::Error| error.to_string();
+    let error = HnnCrust::MUTUAL
+        .reconstruct_open(&points, &termini)
+        .unwrap_err();
+    assert!(
+        message(&error).starts_with("terminus 1 is point 7"),
+        "{error}"
+    );
+
+    for beta in [0.999, -1.7, 0.0, f64::NAN, f64::INFINITY] {
+        let error = Beta::new(beta).unwrap_err();
+        assert!(
+            message(&error).starts_with(&format!("beta is {beta}")),
+            "{error}"
+        );
+    }
+
+    let error = PointSet::new(vec![DVec2::X, DVec2::ZERO, DVec2::X]).unwrap_err();
+    assert!(matches!(
+        error,
+        PointSetError::Duplicate {
+            first: 0,
+            second: 2,
+            ..
+        }
+    ));
+    let error = PointSet::new(vec![DVec2::X, DVec2::new(0.0, 1e300)]).unwrap_err();
+    assert_eq!(
+        error,
+        PointSetError::Magnitude {
+            index: 1,
+            value: 1e300
+        }
+    );
+
+    let too_few = EdgeSet::new(1, []);
+    let error = Reconstruction::new(&points, too_few).unwrap_err();
+    assert_eq!(
+        error,
+        ReconstructError::VertexCount {
+            vertices: 1,
+            count: 2
+        }
+    );
+}
