@@ -35,9 +35,13 @@ impl Segment {
         };
         let along = far - near;
         let t = (p - near).dot(along) / along.length_squared();
-        // The foot is behind the near end, or the segment is a point (t is NaN); it is never
-        // beyond the far end, which is not the nearer one.
-        if t > 0.0 { near + along * t } else { near }
+        // The foot may lie behind the near end; a NaN is that of a point. It lies beyond the far
+        // end only where rounding took the wrong end of a very short segment for the nearer.
+        if t > 0.0 {
+            near + along * t.min(1.0)
+        } else {
+            near
+        }
     }
 
     /// The squared distance from `p` to the segment.
@@ -74,6 +78,17 @@ mod tests {
             Segment::new(far, DVec2::ZERO),
         ] {
             assert!((segment.distance(p) - 2f64.sqrt()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn very_short_segments_are_not_left() {
+        let a = DVec2::new(0.1, 0.0);
+        let b = DVec2::new(0.1, 1e-17);
+        for segment in [Segment::new(a, b), Segment::new(b, a)] {
+            for p in [DVec2::new(0.1, 1.0), DVec2::new(0.1, -1.0)] {
+                assert!((segment.distance(p) - 1.0).abs() < 1e-15);
+            }
         }
     }
 

@@ -15,10 +15,14 @@ use curvecrust_voronoi::{Delaunay, DualEdge};
 use crate::crossing;
 use crate::error::MedialAxisError;
 
+/// How far from the unit box a piece of the axis is none.
+const BEYOND: f64 = 1e6;
+
 /// The approximate medial axis of a dense curve: the closure of the points of the plane with two or
 /// more closest dense points, other than those of consecutive ones.
 ///
-/// Empty for a lone straight segment, whose lfs is infinite.
+/// Empty for a lone straight segment, whose lfs is infinite. A piece farther away than a million
+/// times the extent of the curve does not count: there, rounding decides between arcs and lines.
 #[derive(Clone, Debug)]
 pub struct MedialAxis {
     /// Computed in the unit box, where Voronoi vertices lose the fewest digits.
@@ -48,13 +52,8 @@ impl MedialAxis {
         let (axis, spanning) = Self::with_spanning_gaps(dense)?;
         match spanning.first() {
             None => Ok(axis),
-            Some(&gap) => Err(crossing::find(dense, &spanning).unwrap_or_else(|| {
-                let chord = crossing::chord(dense, gap);
-                MedialAxisError::TooCoarse {
-                    at: chord.a.midpoint(chord.b),
-                    gap: chord.length(),
-                }
-            })),
+            Some(&gap) => Err(crossing::find(dense, &spanning)
+                .unwrap_or_else(|| MedialAxisError::too_coarse(crossing::chord(dense, gap)))),
         }
     }
 
@@ -78,11 +77,13 @@ impl MedialAxis {
             if backwards {
                 joined[j] = true;
             }
-            if !forwards && !backwards {
-                edges.push(AxisEdge {
-                    segment: bounded(&dual, [points.points()[i], points.points()[j]]),
-                    sites: [i, j],
-                });
+            if forwards || backwards {
+                continue;
+            }
+            let segment = bounded(&dual, [points.points()[i], points.points()[j]]);
+            if segment.distance(DVec2::splat(0.5)) < BEYOND {
+                let sites = [i, j];
+                edges.push(AxisEdge { segment, sites });
             }
         }
         let spanning = (0..dense.len()).filter(|&i| !joined[i]).collect();

@@ -41,13 +41,27 @@ impl Measured {
     /// Estimates the lfs of points that are dense already.
     ///
     /// # Errors
-    /// With [`Estimator::Voronoi`], those of [`MedialAxis::new`].
+    /// With [`Estimator::Voronoi`], those of [`MedialAxis::new`], and
+    /// [`TooCoarse`](MedialAxisError::TooCoarse) where a gap is not below twice the lfs found at its
+    /// ends: then the points are no epsilon-sample for any epsilon < 1, and what was found is no lfs.
     pub fn new(dense: DenseCurve, estimator: Estimator) -> Result<Self, MedialAxisError> {
         let lfs = match estimator {
             Estimator::Voronoi => LocalFeatureSize::new(&dense, &MedialAxis::new(&dense)?),
-            Estimator::ShrinkingBall => shrinking_ball::lfs(&dense),
+            Estimator::ShrinkingBall => return Ok(Self::by_shrinking_balls(dense)),
         };
+        for i in 0..dense.len() {
+            let Some(next) = dense.next(i) else { continue };
+            let gap = chord(&dense, i);
+            if gap.length() >= 2.0 * lfs.at(i).min(lfs.at(next)) {
+                return Err(MedialAxisError::too_coarse(gap));
+            }
+        }
         Ok(Self { dense, lfs })
+    }
+
+    fn by_shrinking_balls(dense: DenseCurve) -> Self {
+        let lfs = shrinking_ball::lfs(&dense);
+        Self { dense, lfs }
     }
 
     /// The dense points.
@@ -92,7 +106,7 @@ pub fn measure(
             let refined = refine(curve, gap_to_lfs)?;
             match estimator {
                 Estimator::Voronoi => Ok(refined),
-                Estimator::ShrinkingBall => Measured::new(refined.dense, estimator),
+                Estimator::ShrinkingBall => Ok(Measured::by_shrinking_balls(refined.dense)),
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Why a curve has no medial axis that can be computed.
 
 use curvecrust_curve::DenseError;
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{DVec2, Segment};
 use thiserror::Error;
 
 /// Why the medial axis or the local feature size cannot be computed.
@@ -33,8 +33,8 @@ pub enum MedialAxisError {
     },
     /// The dense points are too far apart for what lies near them.
     #[error(
-        "the discretisation is too coarse near ({}, {}): its gap of {gap:e} spans another part of \
-         the curve. Take more points a segment, or adaptive discretisation",
+        "the discretisation is too coarse near ({}, {}): another part of the curve \
+         comes within its gap of {gap:e}. Take more points a segment, or adaptive discretisation",
         at.x, at.y
     )]
     TooCoarse {
@@ -49,4 +49,13 @@ pub enum MedialAxisError {
     /// The discretisation is not possible.
     #[error(transparent)]
     Dense(#[from] DenseError),
+}
+
+impl MedialAxisError {
+    pub(crate) fn too_coarse(gap: Segment) -> Self {
+        Self::TooCoarse {
+            at: gap.a.midpoint(gap.b),
+            gap: gap.length(),
+        }
+    }
 }

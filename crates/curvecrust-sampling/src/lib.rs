@@ -1,6 +1,6 @@
 //! Sampling of smooth plane curves, as sparsely as a reconstruction theorem allows.
 //!
-//! J. Amenta's epsilon-samples and the reach-based rho-samples of S. Ohrhallinger, S. A. Mitchell,
+//! The epsilon-samples of N. Amenta, M. Bern, D. Eppstein, GMIP 1998, and the reach-based rho-samples of S. Ohrhallinger, S. A. Mitchell,
 //! M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP 2016.
 //!
 //! | module | what it gives | source |
