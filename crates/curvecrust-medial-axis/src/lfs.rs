@@ -3,10 +3,13 @@
 use std::ops::RangeInclusive;
 
 use curvecrust_curve::DenseCurve;
-use curvecrust_geometry::{DVec2, SegmentTree};
+use curvecrust_geometry::SegmentTree;
 use rayon::prelude::*;
 
 use crate::axis::MedialAxis;
+
+/// Queries in a row, each of which helps the next.
+const CHUNK: usize = 512;
 
 /// The local feature size at every dense point: its distance to the medial axis.
 ///
@@ -25,13 +28,27 @@ impl LocalFeatureSize {
     pub fn new(dense: &DenseCurve, axis: &MedialAxis) -> Self {
         let (to_unit, edges) = axis.in_unit_box();
         let tree = SegmentTree::new(edges.iter().map(|edge| edge.segment));
-        let distance = |&p: &DVec2| {
-            let nearest = tree.nearest(to_unit.apply(p));
-            nearest.map_or(f64::INFINITY, |(_, distance)| {
-                to_unit.invert_length(distance)
-            })
-        };
-        Self::from_values(dense.points().par_iter().map(distance).collect())
+        // In curve order, each query starts from the answer to the one before. Chunks of a fixed
+        // size, so that the number of threads changes nothing.
+        let mut values = vec![f64::INFINITY; dense.len()];
+        values
+            .par_chunks_mut(CHUNK)
+            .zip(dense.points().par_chunks(CHUNK))
+            .for_each(|(values, points)| {
+                let mut last = None;
+                for (value, &p) in values.iter_mut().zip(points) {
+                    let p = to_unit.apply(p);
+                    let nearest = match last {
+                        Some(segment) => tree.nearest_after(p, segment),
+                        None => tree.nearest(p),
+                    };
+                    if let Some((segment, distance)) = nearest {
+                        *value = to_unit.invert_length(distance);
+                        last = Some(segment);
+                    }
+                }
+            });
+        Self::from_values(values)
     }
 
     /// Takes the lfs of every dense point, in their order, from another source.
