@@ -14,7 +14,8 @@ pub enum Discretisation {
     /// As many points on every cubic segment, at equal steps of its parameter; 300 in the paper.
     PerSegment(u32),
     /// As many points as needed: the gap between neighbours is at most this fraction of the lfs at
-    /// both of them, and at most this fraction of the radius of curvature.
+    /// both of them, and of the radius of curvature. With the Voronoi estimator, the axis itself
+    /// comes from points that may be a few times farther apart, which costs it little precision.
     Adaptive {
         /// The fraction, above 0 and at most 1.
         gap_to_lfs: f64,
@@ -81,6 +82,11 @@ impl Measured {
 const START: u32 = 16;
 /// A gap is split into at most so many parts at once: lfs on a coarse discretisation is a guess.
 const SPLIT: f64 = 8.0;
+/// The axis is computed from points up to so many times farther apart than those that lfs is wanted
+/// at, ...
+const AXIS_GAPS: f64 = 4.0;
+/// ... but at most this fraction of their lfs: its error falls with the square of their gap.
+const AXIS_RATIO: f64 = 0.05;
 /// Curves nearer than this fraction of their extent count as touching.
 const TOUCHING: f64 = 1e-7;
 /// Rounds in which gaps that another part of the curve spans may remain most of all: curves that
@@ -117,6 +123,23 @@ fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
     if !(ratio > 0.0 && ratio <= 1.0) {
         return Err(MedialAxisError::GapToLfs(ratio));
     }
+    let axis_ratio = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
+    let (axis, mut dense, mut lfs) = refine_axis(curve, axis_ratio)?;
+    loop {
+        let pieces = pieces(curve, &dense, &lfs, ratio);
+        if pieces.iter().all(|&n| n == 1) {
+            return Ok(Measured { dense, lfs });
+        }
+        dense = dense.refined(curve, &pieces)?;
+        lfs = LocalFeatureSize::new(&dense, &axis);
+    }
+}
+
+/// The medial axis of points at most `ratio` of their lfs apart.
+fn refine_axis(
+    curve: &Curve,
+    ratio: f64,
+) -> Result<(MedialAxis, DenseCurve, LocalFeatureSize), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = DenseCurve::per_segment(curve, START)?;
     let mut round = 0;
@@ -138,9 +161,12 @@ fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
             let at = dense.points()[i];
             return Err(MedialAxisError::Touching { at, distance });
         }
-        let pieces = pieces(curve, &dense, &lfs, &spanning, ratio);
+        let mut pieces = pieces(curve, &dense, &lfs, ratio);
+        for gap in spanning {
+            pieces[gap] = pieces[gap].max(2);
+        }
         if pieces.iter().all(|&n| n == 1) {
-            return Ok(Measured { dense, lfs });
+            return Ok((axis, dense, lfs));
         }
         dense = dense.refined(curve, &pieces)?;
         round += 1;
@@ -148,14 +174,8 @@ fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
 }
 
 /// Into how many parts each gap is to be split.
-fn pieces(
-    curve: &Curve,
-    dense: &DenseCurve,
-    lfs: &LocalFeatureSize,
-    spanning: &[usize],
-    ratio: f64,
-) -> Vec<u32> {
-    let mut pieces: Vec<u32> = (0..dense.len())
+fn pieces(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<u32> {
+    (0..dense.len())
         .map(|i| {
             let Some(next) = dense.next(i) else { return 1 };
             let radius = radius_of_curvature(curve, dense.params()[i], dense.params()[next]);
@@ -171,11 +191,7 @@ fn pieces(
             let wanted = wanted as u32;
             wanted.max(1)
         })
-        .collect();
-    for &gap in spanning {
-        pieces[gap] = pieces[gap].max(2);
-    }
-    pieces
+        .collect()
 }
 
 /// The smaller radius of curvature at the two ends of a gap, seen from within its segment: an upper
