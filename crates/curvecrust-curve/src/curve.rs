@@ -86,7 +86,7 @@ impl Curve {
     /// Each subpath that draws something is a component. It is closed by `Z` (with a straight
     /// segment if there is a gap), or if its ends meet within 1e-6 of its extent; the end is then
     /// put on the start. A `M` without a segment after it draws nothing and is no component.
-    /// Elliptical arcs become cubics of at most 1/16 turn, within 1e-7 of their radius.
+    /// Elliptical arcs become cubics within 1e-7 of their larger radius.
     ///
     /// # Errors
     /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds; a subpath without
@@ -95,13 +95,14 @@ impl Curve {
         Self::new(path_data::parse(d)?)
     }
 
-    /// The curves of an SVG document: all its paths and shapes in document order, in the user
-    /// space of the root element and in double precision.
+    /// The curves of an SVG document: all paths and shapes that it draws, in document order and in
+    /// the user space of the root element, whatever their paint.
     ///
-    /// See [`svg`] for what is read, and what is refused.
+    /// See [`svg`] for what is read and how exactly, and what is refused.
     ///
     /// # Errors
-    /// [`CurveError::Xml`], or [`CurveError::InElement`] with the element at fault.
+    /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what [`Curve::new`]
+    /// finds, or any of these as [`CurveError::InElement`] where one element is at fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
         svg::parse(document)
     }

@@ -152,7 +152,7 @@ pub enum CurveError {
         /// What is wrong with it, and what to do.
         message: String,
     },
-    /// The document holds something that this crate does not turn into a curve.
+    /// The document holds something that cannot be read, or too much of it.
     #[error("{what}")]
     Unsupported {
         /// What it is, and what to do.

@@ -15,7 +15,6 @@
 //! Points are [`glam::DVec2`].
 
 pub mod analytic;
-mod arc;
 pub mod bezier;
 pub mod component;
 pub mod curve;

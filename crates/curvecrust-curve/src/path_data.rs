@@ -1,12 +1,15 @@
 //! SVG path strings, the `d` attribute, in double precision and by the strict grammar.
 
 use glam::DVec2;
+use kurbo::{Arc, Point, SvgArc, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use crate::arc::Arc;
 use crate::bezier::CubicBezier;
 use crate::component::Component;
 use crate::error::CurveError;
+
+/// How far the cubics of an arc may be from it, as a fraction of the larger radius.
+const ARC_TOLERANCE: f64 = 1e-7;
 
 /// The subpaths of a path string that draw something, not yet checked for smoothness.
 pub(crate) fn parse(d: &str) -> Result<Vec<Component>, CurveError> {
@@ -116,14 +119,17 @@ impl Pen {
                 x,
                 y,
                 ..
-            } => self.arc_to(&Arc {
-                from: self.at,
-                to: point(x, y),
-                radii: DVec2::new(rx, ry),
-                rotation_deg: x_axis_rotation,
-                large: large_arc,
-                sweep,
-            }),
+            } => {
+                let to = point(x, y);
+                self.arc_to(&SvgArc {
+                    from: Point::new(self.at.x, self.at.y),
+                    to: Point::new(to.x, to.y),
+                    radii: Vec2::new(rx, ry),
+                    x_rotation: (x_axis_rotation % 360.0).to_radians(),
+                    large_arc,
+                    sweep,
+                });
+            }
             PathSegment::ClosePath { .. } => self.close(),
         }
     }
@@ -141,15 +147,45 @@ impl Pen {
         self.push(CubicBezier::line(self.at, to), LastHandle::None);
     }
 
-    pub(crate) fn arc_to(&mut self, arc: &Arc) {
-        for piece in arc.to_cubics() {
-            self.push(piece, LastHandle::None);
+    /// The arc in cubics, its end exactly; straight if a radius is 0, as SVG has it.
+    fn arc_to(&mut self, arc: &SvgArc) {
+        let (from, to) = (self.at, DVec2::new(arc.to.x, arc.to.y));
+        // kurbo takes a radius below 1e-5 for 0, so the smaller one becomes 1.
+        let unit = arc.radii.x.abs().min(arc.radii.y.abs());
+        let half = (to - from) / (2.0 * unit);
+        if unit == 0.0 || half.length_squared() < f64::MIN_POSITIVE {
+            return self.line_to(to);
         }
-        self.at = arc.to;
-        self.handle = LastHandle::None;
-        self.drawn = true;
+        let placed = SvgArc {
+            from: Point::new(-half.x, -half.y),
+            to: Point::new(half.x, half.y),
+            radii: arc.radii / unit,
+            ..*arc
+        };
+        let Some(placed) = Arc::from_svg_arc(&placed) else {
+            return self.line_to(to);
+        };
+        // Between ends that nearly coincide the angle is lost in rounding, but for a whole turn.
+        let angle = placed.sweep_angle.abs();
+        if angle < 1e-7 || !arc.large_arc && angle > 3.2 {
+            return self.line_to(to);
+        }
+        let middle = from + (to - from) / 2.0;
+        let on_plane = |p: Point| middle + DVec2::new(p.x, p.y) * unit;
+        let tolerance = ARC_TOLERANCE * placed.radii.x.max(placed.radii.y);
+        let mut pieces = Vec::new();
+        placed.to_cubic_beziers(tolerance, |a, b, end| {
+            pieces.push([a, b, end].map(on_plane));
+        });
+        match pieces.last_mut() {
+            Some([.., end]) => *end = to,
+            // Beyond what can be computed, which validation then reports.
+            None => pieces.push([DVec2::NAN, DVec2::NAN, to]),
+        }
+        for [a, b, end] in pieces {
+            self.push(CubicBezier::new([self.at, a, b, end]), LastHandle::None);
+        }
     }
-
     /// Ends the subpath at its start; what follows without a move starts there again.
     pub(crate) fn close(&mut self) {
         // A second Z in a row closes nothing.
@@ -168,12 +204,12 @@ impl Pen {
         self.done
     }
 
-    fn cubic_to(&mut self, first: DVec2, second: DVec2, to: DVec2) {
+    pub(crate) fn cubic_to(&mut self, first: DVec2, second: DVec2, to: DVec2) {
         let bezier = CubicBezier::new([self.at, first, second, to]);
         self.push(bezier, LastHandle::Cubic(second));
     }
 
-    fn quadratic_to(&mut self, middle: DVec2, to: DVec2) {
+    pub(crate) fn quadratic_to(&mut self, middle: DVec2, to: DVec2) {
         let bezier = CubicBezier::quadratic(self.at, middle, to);
         self.push(bezier, LastHandle::Quadratic(middle));
     }

@@ -1,86 +1,89 @@
-//! SVG documents: all paths and shapes, in double precision.
+//! SVG documents: what usvg says is drawn and where, with path data read in double precision.
 //!
 //! [`Curve::from_svg`](crate::Curve::from_svg) reads the geometry of a document and nothing of its
-//! paint: a path counts with or without fill and stroke. Coordinates are those of the user space of
-//! the root element, which is what its content is written in; its `viewBox` and size only place
-//! them on a page. `y` grows as in the document.
+//! paint: a shape counts with or without fill and stroke, clips and masks cut off nothing, markers
+//! and dashes are not drawn. Coordinates are those of the user space inside the root element, which
+//! is what its content is written in; its `viewBox`, size and transform only place that on a page.
+//! `y` grows as in the document.
 //!
-//! - **Read**: `path` (by the strict grammar), `circle`, `ellipse`, `rect`, `line`, `polyline`,
-//!   `polygon`; `g`, `a`, `switch`, nested `svg`, `use` of any of them and of `symbol`; `transform`,
-//!   `viewBox`, `preserveAspectRatio`, lengths with absolute units or `%`.
-//! - **Not part of the curve**: what SVG draws only by reference (`defs`, `symbol`, `clipPath`,
-//!   `mask`, `marker`, `pattern`), descriptions, scripts, animations, and other namespaces. Clips
-//!   and masks cut off nothing.
-//! - **Refused**, because it would draw something that is lost or misplaced: shapes that are hidden
-//!   (`display`, `visibility`), text and images, geometry set in CSS, `transform-origin`, `em` and
-//!   `ex`, broken or circular references.
-//!
-//! usvg, which renders as browsers do, is not used: it computes in single precision, drops invisible
-//! elements and shapes with errors, and cuts malformed path data short, all without saying so.
+//! - **[usvg]** lays the document out: groups, `use`, `symbol`, `switch`, nested `svg`, transforms,
+//!   units, style sheets, and the basic shapes. It computes in single precision (7 digits), and its
+//!   circles, ellipses and rounded corners are cubics within 3e-4 of their radius.
+//! - **`path` elements** are read by the strict grammar and in double precision, as by
+//!   [`Curve::from_path_data`](crate::Curve::from_path_data). Only their transforms come from usvg.
+//! - **Not part of the curve** is what SVG does not draw as a shape: hidden elements (`display`,
+//!   `visibility`), what is drawn only by reference (`defs`, `clipPath`, `pattern`, ...), text and
+//!   images. No file is ever opened.
+//! - **Refused** is what usvg would leave out or misplace without saying so: attributes that are
+//!   malformed or out of range, geometry in CSS, references to nothing.
 
-mod attributes;
-mod shapes;
-mod space;
+mod strict;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
 
-use roxmltree::{Document, Node, NodeId, ParsingOptions};
+use glam::{DAffine2, DVec2};
+use usvg::roxmltree::{Document, Node, ParsingOptions};
+use usvg::tiny_skia_path::{PathSegment, Point};
+use usvg::{ImageHrefResolver, Options, Tree};
 
 use crate::component::Component;
 use crate::curve::Curve;
 use crate::dense::DENSE_LIMIT;
 use crate::error::CurveError;
-use attributes::{check_properties, check_style_sheet, label, unsupported};
-use space::Space;
+use crate::path_data::Pen;
+use strict::{PathElement, label, unsupported};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
-const XLINK: &str = "http://www.w3.org/1999/xlink";
 
-/// Elements within each other, `use` included.
-const MAX_DEPTH: usize = 256;
-/// Elements drawn, each once per `use`: few references can otherwise make very many of them.
-const MAX_ELEMENTS: usize = 1_000_000;
 /// Segments drawn: more than that cannot be discretised.
 const MAX_SEGMENTS: usize = DENSE_LIMIT;
 
-/// Elements of SVG that draw nothing where they stand.
-const NOT_DRAWN: &[&str] = &[
-    "defs",
-    "symbol",
-    "clipPath",
-    "mask",
-    "marker",
-    "pattern",
-    "linearGradient",
-    "radialGradient",
-    "solidcolor",
-    "hatch",
-    "filter",
-    "font",
-    "font-face",
-    "color-profile",
-    "cursor",
-    "view",
-    "title",
-    "desc",
-    "metadata",
-    "style",
-    "script",
-    "animate",
-    "animateColor",
-    "animateMotion",
-    "animateTransform",
-    "set",
-    "discard",
-];
+/// Lets usvg keep every shape, whatever its paint, and add none.
+///
+/// A sheet that is injected comes before all others, and of two `!important` declarations usvg keeps
+/// the first. The background makes it put what is drawn into one group, which has the transform of
+/// the root element to the page; as it has no stroke, it is told from the shapes.
+const SHOW_SHAPES: &str = "* {
+    fill: none !important; stroke: black !important; stroke-width: 1 !important;
+    stroke-dasharray: none !important; stroke-opacity: 1 !important; opacity: 1 !important;
+    marker: none !important; clip-path: none !important; mask: none !important;
+    filter: none !important; overflow: visible !important; background-color: black !important;
+}";
 
 /// The curves of a document.
-pub(crate) fn parse(document: &str) -> Result<Curve, CurveError> {
+pub(crate) fn parse(text: &str) -> Result<Curve, CurveError> {
+    let document = parse_xml(text)?;
+    let root = document.root_element();
+    if !root.has_tag_name((SVG, "svg")) {
+        let name = root.tag_name().name().to_owned();
+        return Err(CurveError::NotSvg { name });
+    }
+    let by_id = strict::by_id(&document);
+    let paths = strict::paths(root, &by_id)?;
+    let tree = lay_out(&with_stand_ins(text, &paths))?;
+    let mut drawing = Drawing {
+        paths,
+        by_id,
+        components: Vec::new(),
+        segments: 0,
+    };
+    if let [usvg::Node::Group(page)] = tree.root().children() {
+        drawing.collect(page.children(), DAffine2::IDENTITY)?;
+    }
+    let (nodes, components): (Vec<_>, Vec<_>) = drawing.components.into_iter().unzip();
+    Curve::new(components).map_err(|error| match error.component().and_then(|c| nodes.get(c)) {
+        Some(&Some(node)) => error.within(label(node)),
+        _ => error,
+    })
+}
+
+fn parse_xml(text: &str) -> Result<Document<'_>, CurveError> {
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()
     };
-    let document = Document::parse_with_options(document, options).map_err(|error| {
+    Document::parse_with_options(text, options).map_err(|error| {
         let position = error.pos();
         let message = error.to_string();
         let suffix = format!(" at {position}");
@@ -89,153 +92,128 @@ pub(crate) fn parse(document: &str) -> Result<Curve, CurveError> {
             column: position.col,
             message: message.strip_suffix(&suffix).unwrap_or(&message).to_owned(),
         }
-    })?;
-    let root = document.root_element();
-    if !root.has_tag_name((SVG, "svg")) {
-        let name = root.tag_name().name().to_owned();
-        return Err(CurveError::NotSvg { name });
-    }
-    let mut walk = Walk::default();
-    for node in root.descendants().filter(Node::is_element) {
-        if let Some(id) = node.attribute("id") {
-            // As in browsers, the first element of a name counts.
-            walk.by_id.entry(id).or_insert(node);
-        }
-        if node.has_tag_name((SVG, "style")) {
-            let sheet: String = node.descendants().filter_map(|n| n.text()).collect();
-            check_style_sheet(&sheet).map_err(|e| e.within(label(node)))?;
-        }
-    }
-    let space = Space::of_root(root).map_err(|e| e.within(label(root)))?;
-    walk.children(root, space, 0)?;
-    let (nodes, components): (Vec<_>, Vec<_>) = walk.components.into_iter().unzip();
-    Curve::new(components).map_err(|error| match error.component().and_then(|c| nodes.get(c)) {
-        Some(&node) => error.within(label(node)),
-        None => error,
     })
 }
 
-/// The walk through what a document draws, in the order of drawing.
-#[derive(Default)]
-struct Walk<'a, 'input> {
+/// The document with the path data of its k-th path replaced by a stand-in, which is known by its
+/// quadratic segment: none of the basic shapes has one.
+///
+/// Path data would else be rounded to single precision, with arcs within 3e-4 of their radius.
+fn with_stand_ins(text: &str, paths: &[PathElement<'_, '_>]) -> String {
+    let mut places = BTreeMap::new();
+    for (k, path) in paths.iter().enumerate() {
+        // Elements of an entity that is used twice stand in one place, and draw the same.
+        places.entry(path.d.start).or_insert((path.d.end, k));
+    }
+    let mut copy = String::with_capacity(text.len());
+    let mut done = 0;
+    for (start, (end, k)) in places {
+        copy += &text[done..start];
+        // Writing to a string cannot fail.
+        let _ = write!(copy, "M{k} 0q0 0 1 0");
+        done = end;
+    }
+    copy + &text[done..]
+}
+
+fn lay_out(text: &str) -> Result<Tree, CurveError> {
+    let options = Options {
+        image_href_resolver: ImageHrefResolver {
+            resolve_data: Box::new(|_, _, _| None),
+            resolve_string: Box::new(|_, _| None),
+        },
+        style_sheet: Some(SHOW_SHAPES.to_owned()),
+        ..Options::default()
+    };
+    Tree::from_str(text, &options).map_err(|error| match error {
+        usvg::Error::InvalidSize => {
+            unsupported("the root has no size: give it a width and a height, or a viewBox")
+        }
+        usvg::Error::ParsingFailed(usvg::roxmltree::Error::NodesLimitReached) => unsupported(
+            "it has more than 1000000 elements, each drawn once per use: simplify the document",
+        ),
+        other => unsupported(other.to_string()),
+    })
+}
+
+/// What is drawn, in the order of drawing.
+struct Drawing<'a, 'input> {
+    paths: Vec<PathElement<'a, 'input>>,
     by_id: HashMap<&'a str, Node<'a, 'input>>,
-    /// The components, each with the element that draws it.
-    components: Vec<(Node<'a, 'input>, Component)>,
-    /// The targets of the `use` elements around the present one.
-    used: Vec<NodeId>,
-    elements: usize,
+    /// The components, each with the element that draws it, where that is known.
+    components: Vec<(Option<Node<'a, 'input>>, Component)>,
     segments: usize,
 }
 
-impl<'a, 'input> Walk<'a, 'input> {
-    fn children(
-        &mut self,
-        node: Node<'a, 'input>,
-        space: Space,
-        depth: usize,
-    ) -> Result<(), CurveError> {
-        for child in node.children().filter(Node::is_element) {
-            self.element(child, space, depth + 1)?;
-        }
-        Ok(())
-    }
-
-    fn element(
-        &mut self,
-        node: Node<'a, 'input>,
-        space: Space,
-        depth: usize,
-    ) -> Result<(), CurveError> {
-        let name = node.tag_name().name();
-        if node.tag_name().namespace() != Some(SVG) || NOT_DRAWN.contains(&name) {
-            return Ok(());
-        }
-        let here = |error: CurveError| error.within(label(node));
-        self.elements += 1;
-        if depth > MAX_DEPTH || self.elements > MAX_ELEMENTS {
-            let limit = format!("{MAX_DEPTH} levels or {MAX_ELEMENTS} elements");
-            return Err(here(beyond(&limit)));
-        }
-        check_properties(node).map_err(here)?;
-        let space = space.inside(node).map_err(here)?;
-        match name {
-            "g" | "a" => self.children(node, space, depth),
-            "switch" => match node.children().find(|&child| is_chosen(child)) {
-                Some(child) => self.element(child, space, depth + 1),
-                None => Ok(()),
-            },
-            "svg" => {
-                let space = space.of_viewport(node, None).map_err(here)?;
-                self.children(node, space, depth)
-            }
-            "use" => self.reference(node, space, depth),
-            _ => {
-                let components = shapes::components(node, space).map_err(here)?;
-                let segments = components.iter().map(|c| c.segments().len());
-                self.segments += segments.sum::<usize>();
-                if self.segments > MAX_SEGMENTS {
-                    return Err(here(beyond(&format!("{MAX_SEGMENTS} segments"))));
+impl Drawing<'_, '_> {
+    fn collect(&mut self, nodes: &[usvg::Node], to_root: DAffine2) -> Result<(), CurveError> {
+        for node in nodes {
+            match node {
+                usvg::Node::Group(group) => {
+                    let to_root = to_root * affine(group.transform());
+                    self.collect(group.children(), to_root)?;
                 }
-                self.components
-                    .extend(components.into_iter().map(|c| (node, c)));
-                Ok(())
+                usvg::Node::Path(path) if path.is_visible() && path.stroke().is_some() => {
+                    self.draw(path, to_root)?;
+                }
+                _ => {}
             }
         }
+        Ok(())
     }
 
-    /// Draws what a `use` element refers to.
-    fn reference(
-        &mut self,
-        node: Node<'a, 'input>,
-        space: Space,
-        depth: usize,
-    ) -> Result<(), CurveError> {
-        let here = |error: CurveError| error.within(label(node));
-        let link = node.attribute("href").or(node.attribute((XLINK, "href")));
-        let link = link.unwrap_or_default().trim();
-        let refuse = |message: &str| {
-            here(CurveError::Attribute {
-                name: "href".to_owned(),
-                value: link.to_owned(),
-                message: message.to_owned(),
-            })
+    fn draw(&mut self, path: &usvg::Path, to_root: DAffine2) -> Result<(), CurveError> {
+        let stand_in = stand_in(path).and_then(|k| self.paths.get(k));
+        let (node, components) = match stand_in {
+            Some(element) => (Some(element.node), &element.components),
+            None => (self.by_id.get(path.id()).copied(), &shape(path)),
         };
-        let target = link.strip_prefix('#').and_then(|id| self.by_id.get(id));
-        let Some(&target) = target else {
-            return Err(refuse(
-                "is no element of the document: correct or remove it",
-            ));
-        };
-        if self.used.contains(&target.id()) || node.ancestors().any(|a| a == target) {
-            return Err(refuse("contains this element itself: correct or remove it"));
+        self.segments += components.iter().map(|c| c.segments().len()).sum::<usize>();
+        if self.segments > MAX_SEGMENTS {
+            return Err(unsupported(format!(
+                "it has more than {MAX_SEGMENTS} segments, each drawn once per use: simplify it"
+            )));
         }
-        let space = space.shifted(node).map_err(here)?;
-        self.used.push(target.id());
-        let there = |error: CurveError| error.within(label(target));
-        if target.has_tag_name((SVG, "symbol")) || target.has_tag_name((SVG, "svg")) {
-            check_properties(target).map_err(there)?;
-            let space = space.inside(target).map_err(there)?;
-            let space = space.of_viewport(target, Some(node)).map_err(there)?;
-            self.children(target, space, depth + 1)?;
-        } else {
-            self.element(target, space, depth + 1)?;
-        }
-        self.used.pop();
+        let placed = components
+            .iter()
+            .map(|c| c.map(|p| to_root.transform_point2(p)));
+        self.components.extend(placed.map(|c| (node, c)));
         Ok(())
     }
 }
 
-fn beyond(limit: &str) -> CurveError {
-    unsupported(format!(
-        "it is beyond the {limit} that are supported: simplify the document"
-    ))
+/// The index of the path element that a stand-in stands for.
+fn stand_in(path: &usvg::Path) -> Option<usize> {
+    let mut segments = path.data().segments();
+    match (segments.next(), segments.next()) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "an index below 1e6, written by us"
+        )]
+        (Some(PathSegment::MoveTo(at)), Some(PathSegment::QuadTo(..))) => Some(at.x as usize),
+        _ => None,
+    }
 }
 
-/// Whether a `switch` draws this child: the first without a condition, as its conditions ask for
-/// languages and extensions.
-fn is_chosen(child: Node<'_, '_>) -> bool {
-    child.tag_name().namespace() == Some(SVG)
-        && !child.has_attribute("requiredExtensions")
-        && !child.has_attribute("systemLanguage")
-        && !NOT_DRAWN.contains(&child.tag_name().name())
+/// The components of a basic shape, in its own coordinates.
+fn shape(path: &usvg::Path) -> Vec<Component> {
+    let double = |p: Point| DVec2::new(p.x.into(), p.y.into());
+    let mut pen = Pen::default();
+    for segment in path.data().segments() {
+        match segment {
+            PathSegment::MoveTo(to) => pen.move_to(double(to)),
+            PathSegment::LineTo(to) => pen.line_to(double(to)),
+            PathSegment::QuadTo(middle, to) => pen.quadratic_to(double(middle), double(to)),
+            PathSegment::CubicTo(first, second, to) => {
+                pen.cubic_to(double(first), double(second), double(to));
+            }
+            PathSegment::Close => pen.close(),
+        }
+    }
+    pen.finish()
+}
+
+fn affine(t: usvg::Transform) -> DAffine2 {
+    DAffine2::from_cols_array(&[t.sx, t.ky, t.kx, t.sy, t.tx, t.ty].map(f64::from))
 }

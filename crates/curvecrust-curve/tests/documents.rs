@@ -25,7 +25,8 @@ fn document(content: &str) -> Curve {
 }
 
 fn near(p: DVec2, q: DVec2) {
-    assert!(p.distance(q) < 1e-12, "{p} and {q}");
+    // usvg computes in single precision.
+    assert!(p.distance(q) < 1e-5, "{p} and {q}");
 }
 
 fn starts(curve: &Curve) -> Vec<DVec2> {
@@ -72,10 +73,10 @@ fn circles_and_ellipses_lie_on_their_equations() {
         let curve = document(shape);
         let component = &curve.components()[0];
         assert!(component.is_closed());
-        assert_eq!(component.segments().len(), 16);
+        assert_eq!(component.segments().len(), 4);
         for p in along(component) {
             let unit = (p - v(10.0, -3.0)) / radii;
-            assert!((unit.length() - 1.0).abs() < 1e-7, "{shape}");
+            assert!((unit.length() - 1.0).abs() < 3e-4, "{shape}");
         }
         let (low, high) = curve.bounding_box();
         near(low, v(10.0, -3.0) - radii);
@@ -87,11 +88,11 @@ fn circles_and_ellipses_lie_on_their_equations() {
 #[test]
 fn rounded_rectangles_lie_at_their_radius_from_an_inner_one() {
     for (radii, inner, segments) in [
-        ("rx='2'", v(3.0, 1.0), 20),
-        ("rx='2' ry='2'", v(3.0, 1.0), 20),
-        ("ry='2'", v(3.0, 1.0), 20),
+        ("rx='2'", v(3.0, 1.0), 8),
+        ("rx='2' ry='2'", v(3.0, 1.0), 8),
+        ("ry='2'", v(3.0, 1.0), 8),
         // Cut to half of each side: two sides are gone.
-        ("rx='3' ry='3'", v(2.0, 0.0), 18),
+        ("rx='3' ry='3'", v(2.0, 0.0), 6),
     ] {
         let shape = format!("<rect x='1' y='2' width='10' height='6' {radii}/>");
         let curve = document(&shape);
@@ -102,7 +103,10 @@ fn rounded_rectangles_lie_at_their_radius_from_an_inner_one() {
         for p in along(component) {
             let from_centre = (p - v(6.0, 5.0)).abs();
             let outside = (from_centre - inner).max(DVec2::ZERO);
-            assert!((outside.length() - radius).abs() < 1e-6, "{shape}: {p}");
+            assert!(
+                (outside.length() - radius).abs() < 3e-4 * radius,
+                "{shape}: {p}"
+            );
         }
         let (low, high) = curve.bounding_box();
         near(low, v(1.0, 2.0));
@@ -209,30 +213,110 @@ fn lengths_with_units_and_percentages() {
         ("25.4mm", 96.0),
         ("72pt", 96.0),
         ("6pc", 96.0),
-        (" 10% ", 20.0),
+        (" 10%", 20.0),
     ] {
-        assert!((x_of(x) - expected).abs() < 1e-12, "{x}");
+        assert!((x_of(x) - expected).abs() < 1e-5, "{x}");
     }
     // Percentages of both: the diagonal, by its side of a square.
     let circle = document("<circle r='10%'/>");
     let radius = 0.1 * f64::sqrt((200.0 * 200.0 + 100.0 * 100.0) / 2.0);
-    assert!((circle.extent() - 2.0 * radius).abs() < 1e-9);
+    assert!((circle.extent() - 2.0 * radius).abs() < 1e-5);
+}
+
+/// The first coordinates of the paths, which say which of them are part of the curve.
+fn drawn(content: &str) -> Vec<f64> {
+    starts(&document(content)).iter().map(|p| p.x).collect()
 }
 
 #[test]
 fn paint_does_not_matter_and_order_is_that_of_the_document() {
-    let curve = document(
-        "<style>.a{fill:none;stroke:#000} path:hover{opacity:0}</style>\
-         <title>t</title><sodipodi:namedview xmlns:sodipodi='urn:s'/>\
-         <defs><path d='M9 9h1'/></defs><clipPath><path d='M9 9h1'/></clipPath>\
-         <path d='M1 0h1'/><path d='M2 0h1' fill='none'/>\
-         <g><path d='M3 0h1' style='fill:none;stroke:black'/><path d='M4 0h1' opacity='0'/></g>\
-         <switch><path d='M9 9h1' systemLanguage='fr'/><path d='M5 0h1'/><path d='M9 9h1'/></switch>\
-         <path d='M6 0h1M7 0h1'/>\
-         <g visibility='hidden'><path d='M8 0h1' visibility='visible'/><text>hidden</text></g>",
+    let painted = "<style>.a{fill:none;stroke:none!important} #b{fill:none!important;opacity:0}\
+                   path:hover{opacity:0}</style>\
+         <path d='M1 0h1'/><path d='M2 0h1' fill='none'/><path d='M3 0h1' class='a'/>\
+         <path id='b' d='M4 0h1'/><g opacity='0'><path d='M5 0h1' style='opacity:0!important'/></g>\
+         <path d='M6 0h1' stroke='red' stroke-width='0' stroke-dasharray='1 2'/>\
+         <path d='M7 0h1' style='fill:none;stroke:none;stroke-width:-1;stroke-dasharray:4'/>\
+         <g fill='none' stroke='url(#nothing)'><path d='M8 0h1M9 0h1'/></g>";
+    assert_eq!(
+        drawn(painted),
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
     );
-    let xs: Vec<f64> = starts(&curve).iter().map(|p| p.x).collect();
-    assert_eq!(xs, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+}
+
+#[test]
+fn clips_masks_filters_and_markers_neither_cut_nor_draw() {
+    let content = "<clipPath id='c'><path d='M90 0h1v1'/></clipPath><mask id='m'><circle/></mask>\
+         <marker id='k' orient='auto'><path d='M90 0h1v1'/></marker><filter id='f'/>\
+         <pattern id='p'><path d='M90 0h1v1'/></pattern>\
+         <path d='M1 0h1' clip-path='url(#c)'/><path d='M2 0h1' style='mask:url(#m)!important'/>\
+         <path d='M3 0h1' marker-start='url(#k)' marker-end='url(#k)' paint-order='stroke markers'/>\
+         <path d='M4 0h1' style='marker:url(#k)'/><path d='M5 0h1' fill='url(#p)'/>\
+         <path d='M6 0h1' filter='url(#f)'/><path d='M7 0h1' clip-path='url(#nothing)'/>\
+         <svg width='1' height='1'><path d='M8 0h1'/></svg>\
+         <path d='M9 0h1' filter='url(#nothing)'/>";
+    assert_eq!(
+        drawn(content),
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    );
+}
+
+#[test]
+fn what_is_hidden_or_no_shape_is_not_part_of_the_curve() {
+    let content = "<style>.off{display:none}</style>\
+         <title>t</title><sodipodi:namedview xmlns:sodipodi='urn:s' d='x'/>\
+         <defs><path d='M90 0h1'/></defs><path d='M90 0h1' display='none'/>\
+         <g class='off'><path d='M90 0h1'/></g><g style='display:none'><path d='M90 0h1'/></g>\
+         <g visibility='hidden'><path d='M1 0h1' visibility='visible'/><path d='M90 0h1'/></g>\
+         <switch><path d='M90 0h1' systemLanguage='fr'/><path d='M2 0h1'/><path d='M90 0h1'/></switch>\
+         <text x='1 2 3'>abc</text><image href='/no/such/file.svg' width='9' height='9'/>\
+         <image width='9' height='9' href='data:image/svg+xml,\
+         &lt;svg xmlns=\"http://www.w3.org/2000/svg\">&lt;path d=\"M9 0h1\"/>&lt;/svg>'/>\
+         <path/><path d=''/><path d='M90 0'/><path d='M3 0h1'/>";
+    assert_eq!(drawn(content), [1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn the_place_on_the_page_does_not_matter() {
+    let circle = "<circle cx='4' cy='3' r='2'/>";
+    for root in [
+        "",
+        "viewBox='1 2 30 40'",
+        "viewBox='1 2 30 40' width='210mm' height='297mm'",
+        "width='100%' height='50'",
+        "width='50' transform='rotate(30)'",
+        "viewBox='0 0 10 10' preserveAspectRatio='none' width='1e4' style='opacity:0'",
+    ] {
+        let content = format!("{LINE}<g transform='translate(1 1)'>{circle}</g>");
+        let svg = format!("<svg xmlns='http://www.w3.org/2000/svg' {root}>{content}</svg>");
+        let curve = Curve::from_svg(&svg).unwrap();
+        assert_eq!(starts(&curve), [v(1.0, 2.0), v(7.0, 4.0)], "{root}");
+    }
+}
+
+#[test]
+fn a_document_of_inkscape() {
+    let svg = r##"<?xml version="1.0" encoding="UTF-8" standalone="no"?>
+<svg width="210mm" height="297mm" viewBox="0 0 210 297" version="1.1" id="svg1"
+   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+   xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+   xmlns="http://www.w3.org/2000/svg" xmlns:svg="http://www.w3.org/2000/svg">
+  <sodipodi:namedview id="namedview1" pagecolor="#ffffff" inkscape:document-units="mm" />
+  <defs id="defs1"><inkscape:path-effect effect="spiro" id="path-effect1" is_visible="true" /></defs>
+  <g inkscape:label="Layer 1" inkscape:groupmode="layer" id="layer1" transform="translate(-10,5)">
+    <path style="fill:none;stroke:#000000;stroke-width:0.264583;-inkscape-stroke:none"
+       d="m 30,40 c 0,10 20,10 20,0" id="path1" sodipodi:nodetypes="cc"
+       inkscape:original-d="m 30,40 20,0" inkscape:path-effect="#path-effect1" />
+    <path style="fill:#ff0000" id="path2" sodipodi:type="arc" sodipodi:rx="4" sodipodi:cx="1"
+       d="m 104,100 a 4,4 0 0 1 -4,4 4,4 0 0 1 -4,-4 4,4 0 0 1 4,-4 4,4 0 0 1 4,4 z" />
+  </g>
+</svg>"##;
+    let curve = Curve::from_svg(svg).unwrap();
+    assert_eq!(starts(&curve), [v(20.0, 45.0), v(94.0, 105.0)]);
+    let circle = &curve.components()[1];
+    assert!(circle.is_closed());
+    for p in along(circle) {
+        assert!((p.distance(v(90.0, 105.0)) / 4.0 - 1.0).abs() < 1e-7);
+    }
 }
 
 #[test]
@@ -240,35 +324,25 @@ fn entities_of_a_document_type_are_read() {
     let svg = "\u{feff}<!DOCTYPE svg [<!ENTITY d 'M1 2 L3 5'>]>\
                <svg xmlns='http://www.w3.org/2000/svg'><path d='&d;'/></svg>";
     assert_eq!(Curve::from_svg(svg).unwrap().extent(), 3.0);
+    let svg = "<!DOCTYPE svg [<!ENTITY p '<path d=\"M1 2 L3 5\"/>'>]>\
+               <svg xmlns='http://www.w3.org/2000/svg'>&p;<path d='M7 2h1'/><g>&p;</g></svg>";
+    let xs: Vec<f64> = starts(&Curve::from_svg(svg).unwrap())
+        .iter()
+        .map(|p| p.x)
+        .collect();
+    assert_eq!(xs, [1.0, 7.0, 1.0]);
 }
 
 /// Elements with attributes that fit them more or less.
 fn any_element() -> impl Strategy<Value = String> {
-    let names = [
-        "path", "circle", "ellipse", "rect", "line", "polyline", "polygon", "g", "svg", "use",
-        "symbol", "defs", "switch", "text", "style",
-    ];
-    let attributes = [
-        "id",
-        "href",
-        "d",
-        "points",
-        "x",
-        "y",
-        "x1",
-        "y2",
-        "cx",
-        "r",
-        "rx",
-        "ry",
-        "width",
-        "height",
-        "transform",
-        "viewBox",
-        "preserveAspectRatio",
-        "style",
-        "display",
-    ];
+    let words = |text: &'static str| text.split_whitespace().collect::<Vec<_>>();
+    let names = words(
+        "path circle ellipse rect line polyline polygon g svg use symbol defs switch text style",
+    );
+    let attributes = words(
+        "id href d points x y x1 y2 cx r rx ry width height transform viewBox \
+         preserveAspectRatio style display",
+    );
     let values = [
         "a",
         "#a",
@@ -293,11 +367,11 @@ fn any_element() -> impl Strategy<Value = String> {
         "",
     ];
     let attribute = (
-        prop::sample::select(attributes.to_vec()),
+        prop::sample::select(attributes),
         prop::sample::select(values.to_vec()),
     );
     let given = prop::collection::btree_map(attribute.0, attribute.1, 0..6);
-    let leaf = (prop::sample::select(names.to_vec()), given).prop_map(|(name, given)| {
+    let leaf = (prop::sample::select(names), given).prop_map(|(name, given)| {
         let given: Vec<_> = given.iter().map(|(k, v)| format!(" {k}='{v}'")).collect();
         format!("<{name}{}>|</{name}>", given.concat())
     });

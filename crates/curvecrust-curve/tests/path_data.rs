@@ -8,6 +8,8 @@
     reason = "points that must be kept are kept bit by bit"
 )]
 
+use std::f64::consts::{PI, TAU};
+
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use curvecrust_curve::{Component, CubicBezier, Curve, CurveError, CurveParam};
 use glam::DVec2;
@@ -170,6 +172,24 @@ fn radii_that_are_too_small_are_scaled_up() {
 }
 
 #[test]
+fn arcs_whose_ends_nearly_meet_are_short_or_a_whole_turn() {
+    for (radius, chord) in [(1e3, 1e-5), (1.0, 1e-9), (1e4, 1e-6), (2.0, 1e-12)] {
+        let arc = |flags: &str| curve(&format!("M0 0A{radius} {radius} 0 {flags} {chord} 0"));
+        for sweep in [0, 1] {
+            let (short, long) = (arc(&format!("0 {sweep}")), arc(&format!("1 {sweep}")));
+            assert_relative_eq!(short.extent(), chord, max_relative = 1e-9);
+            assert_relative_eq!(long.extent(), 2.0 * radius, max_relative = 1e-6);
+        }
+    }
+    assert_eq!(ends(&curve("M0 0A1e200 1e200 0 0 1 1 0")), [v(1.0, 0.0)]);
+    let beyond = Curve::from_path_data("M0 0A1e200 1 0 0 1 0 1");
+    assert!(
+        matches!(beyond, Err(CurveError::NotFinite { .. })),
+        "{beyond:?}"
+    );
+}
+
+#[test]
 fn arcs_of_every_scale() {
     for scale in [1e-20, 1e-9, 1e9, 1e30] {
         let d = format!("M0 0 A{scale} {scale} 0 0 1 0 {} Z", 2.0 * scale);
@@ -183,6 +203,32 @@ fn arcs_of_every_scale() {
 }
 
 proptest! {
+    #[test]
+    fn any_arc_lies_on_its_ellipse(
+        from in 0.0..TAU, turn in 0.001..6.2f64, ratio in 0.001f64..1.0, rotation in -400.0..400.0f64,
+        forwards: bool,
+    ) {
+        let (radii, axis) = (v(1.0, ratio), DVec2::from_angle(rotation.to_radians()));
+        let turn = if forwards { turn } else { -turn };
+        let on = |u: f64| axis.rotate(DVec2::from_angle(u) * radii);
+        let (p, q) = (on(from), on(from + turn));
+        let (large, sweep) = (u8::from(turn.abs() > PI), u8::from(forwards));
+        let d = format!("M{},{}A1 {ratio} {rotation} {large} {sweep} {},{}", p.x, p.y, q.x, q.y);
+        let curve = curve(&d);
+        let segments = curve.components()[0].segments();
+        for i in 0..=20 {
+            for segment in segments {
+                let unit = v(axis.x, -axis.y).rotate(segment.point(f64::from(i) / 20.0)) / radii;
+                prop_assert!((unit.length() - 1.0).abs() < 1e-7, "{d}");
+            }
+        }
+        let length: f64 = segments.iter().map(|s| {
+            let at = |t| v(axis.x, -axis.y).rotate(s.point(t)) / radii;
+            at(0.0).angle_to(at(1.0)).abs()
+        }).sum();
+        prop_assert!((length - turn.abs()).abs() < 1e-6, "{d}: {length}");
+    }
+
     #[test]
     fn the_bounding_box_is_tight(c in prop::array::uniform8(-10f64..10.0)) {
         let bezier = CubicBezier::new([v(c[0], c[1]), v(c[2], c[3]), v(c[4], c[5]), v(c[6], c[7])]);
