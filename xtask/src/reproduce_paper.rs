@@ -3,6 +3,8 @@
 
 mod models;
 mod tables;
+#[cfg(test)]
+mod tests;
 
 use crate::root::root;
 use crate::whole::write_whole;
@@ -111,9 +113,9 @@ fn runs(args: &Args) -> Vec<Run> {
     };
     let run = |(lfs, discretisation)| match (lfs, discretisation) {
         (Lfs::Voronoi, Discretisation::Paper) => Run::Voronoi(Points::PerSegment),
-        (Lfs::Voronoi, Discretisation::Adaptive) => Run::Voronoi(Points::Adaptive),
+        (Lfs::Voronoi, Discretisation::Adaptive) => Run::Voronoi(tables::CONVERGED),
         (Lfs::ShrinkingBall, Discretisation::Paper) => Run::ShrinkingBall(Points::PerSegment),
-        (Lfs::ShrinkingBall, Discretisation::Adaptive) => Run::ShrinkingBall(Points::Adaptive),
+        (Lfs::ShrinkingBall, Discretisation::Adaptive) => Run::ShrinkingBall(tables::CONVERGED),
     };
     settings.into_iter().map(run).collect()
 }

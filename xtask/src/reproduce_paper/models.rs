@@ -49,18 +49,18 @@ pub(crate) fn load(folder: Option<&Path>) -> anyhow::Result<(CurveOrigin, Vec<Mo
             Ok((origin, models))
         }
         None if fetched.is_dir() => Ok((CurveOrigin::Authors, read(&fetched)?)),
-        None => {
-            let models = REDRAWN.map(|(name, document)| {
-                let curve = Curve::from_svg(document)
-                    .with_context(|| format!("fixtures/curves/{name}.svg"))?;
-                Ok(Model { name, curve })
-            });
-            Ok((
-                CurveOrigin::Redrawn,
-                models.into_iter().collect::<anyhow::Result<_>>()?,
-            ))
-        }
+        None => Ok((CurveOrigin::Redrawn, redrawn()?)),
     }
+}
+
+/// The curves drawn for this project.
+pub(crate) fn redrawn() -> anyhow::Result<Vec<Model>> {
+    let parse = |(name, document)| {
+        let curve =
+            Curve::from_svg(document).with_context(|| format!("fixtures/curves/{name}.svg"))?;
+        Ok(Model { name, curve })
+    };
+    REDRAWN.into_iter().map(parse).collect()
 }
 
 fn read(folder: &Path) -> anyhow::Result<Vec<Model>> {

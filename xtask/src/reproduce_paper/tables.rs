@@ -23,14 +23,14 @@ pub(crate) enum Run {
 pub(crate) enum Points {
     /// 300 a segment, as in the paper.
     PerSegment,
-    /// As many as lfs asks for.
-    Adaptive,
+    /// As many as lfs asks for: gaps at most this fraction of it.
+    Adaptive(f64),
 }
 
 /// Points a segment in the paper.
 const PER_SEGMENT: u32 = 300;
 /// Fine enough that counts have converged: half of it changes none by more than 1 %, or 1.
-const GAP_TO_LFS: f64 = 0.005;
+pub(crate) const CONVERGED: Points = Points::Adaptive(0.005);
 /// Table 3 is about this model.
 const LIMITED: &str = "bunny";
 
@@ -42,7 +42,7 @@ impl Run {
         };
         let discretisation = match points {
             Points::PerSegment => "300",
-            Points::Adaptive => "adaptive",
+            Points::Adaptive(_) => "adaptive",
         };
         Setting {
             lfs,
@@ -51,22 +51,22 @@ impl Run {
     }
 
     fn measure(self, model: &Model) -> anyhow::Result<Measured> {
-        let adaptive = Discretisation::Adaptive {
-            gap_to_lfs: GAP_TO_LFS,
+        let (points, estimator) = match self {
+            Self::Voronoi(points) => (points, Estimator::Voronoi),
+            Self::ShrinkingBall(points) => (points, Estimator::ShrinkingBall),
         };
-        let measured = match self {
-            Self::Voronoi(Points::PerSegment) => measure(
-                &model.curve,
-                Discretisation::PerSegment(PER_SEGMENT),
-                Estimator::Voronoi,
-            ),
-            Self::ShrinkingBall(Points::PerSegment) => {
+        let measured = match (points, estimator) {
+            (Points::PerSegment, Estimator::ShrinkingBall) => {
                 let dense = DenseCurve::per_segment_in_single(&model.curve, PER_SEGMENT)?;
-                Measured::new(dense, Estimator::ShrinkingBall)
+                Measured::new(dense, estimator)
             }
-            Self::Voronoi(Points::Adaptive) => measure(&model.curve, adaptive, Estimator::Voronoi),
-            Self::ShrinkingBall(Points::Adaptive) => {
-                measure(&model.curve, adaptive, Estimator::ShrinkingBall)
+            (Points::PerSegment, Estimator::Voronoi) => {
+                let discretisation = Discretisation::PerSegment(PER_SEGMENT);
+                measure(&model.curve, discretisation, estimator)
+            }
+            (Points::Adaptive(gap_to_lfs), _) => {
+                let discretisation = Discretisation::Adaptive { gap_to_lfs };
+                measure(&model.curve, discretisation, estimator)
             }
         };
         measured.with_context(|| model.name.to_owned())
