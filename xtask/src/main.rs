@@ -6,6 +6,7 @@
     reason = "a program for a terminal"
 )]
 
+mod docs;
 mod fetch_paper_data;
 mod reproduce_paper;
 mod root;
@@ -33,6 +34,8 @@ enum Task {
     Test(test::Args),
     /// Lay the paper authors' curves and points (GPL-3.0) under fixtures/paper, which git ignores
     FetchPaperData(fetch_paper_data::Args),
+    /// Draw and write the generated files under docs, or check that they are fresh
+    Docs(docs::Args),
     /// Reproduce Tables 1 to 3 of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
 }
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
     let outcome = match Cli::parse().task {
         Task::Test(args) => test::run(&args),
         Task::FetchPaperData(args) => fetch_paper_data::run(&args),
+        Task::Docs(args) => docs::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
     };
     outcome.unwrap_or_else(|error| {
