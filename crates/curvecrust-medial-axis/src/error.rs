@@ -22,7 +22,7 @@ pub enum MedialAxisError {
     /// The curve touches itself or another, or comes too near to tell, or bends with no radius.
     #[error(
         "near ({}, {}) the curve touches itself or another, or bends too sharply: its local \
-         feature size is not above {distance:e}. Curves must be disjoint, simple and smooth",
+         feature size is not above {distance}. Curves must be disjoint, simple and smooth",
         at.x, at.y
     )]
     Touching {
