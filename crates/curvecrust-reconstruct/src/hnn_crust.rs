@@ -11,12 +11,11 @@
 //!
 //! Local: the cost is that of finding neighbours, O(n log n) and nearly linear on curves.
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
-use rayon::prelude::*;
+use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
 use crate::error::ReconstructError;
-use crate::neighbours::{HalfRule, Neighbours, neighbours};
+use crate::neighbours::{Choices, HalfRule};
 
 /// The edges on which both of their ends agree: [`HnnCrust::MUTUAL`].
 ///
@@ -86,7 +85,7 @@ impl Reconstructor for HnnCrust {
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {
-        keep_edges(&neighbours(points, HalfRule::Bisector), self.keep)
+        Choices::new(points, HalfRule::Bisector).edges(self.keep)
     }
 
     /// A terminus chooses its nearest neighbour only.
@@ -119,46 +118,7 @@ impl Reconstructor for HnnCrust {
                 count,
             });
         }
-        let mut chosen = neighbours(points, HalfRule::Bisector);
-        for terminus in termini {
-            chosen[terminus.index()].half = None;
-        }
-        Ok(keep_edges(&chosen, self.keep))
+        let choices = Choices::new(points, HalfRule::Bisector);
+        Ok(choices.without_half(termini).edges(self.keep))
     }
-}
-
-/// The edges that the points chose and `keep` wants.
-pub(crate) fn keep_edges(chosen: &[Neighbours], keep: Keep) -> EdgeSet {
-    let mut edges = edges_from(chosen, true);
-    if keep == Keep::Union {
-        let mut unreturned = edges_from(chosen, false);
-        unreturned.par_sort_unstable();
-        edges.append(&mut unreturned);
-        // A stable sort merges two sorted runs in linear time.
-        edges.sort();
-    }
-    EdgeSet::new(chosen.len(), edges)
-}
-
-/// The edges that both ends chose, ascending, or those that only one of them did.
-fn edges_from(chosen: &[Neighbours], returned: bool) -> Vec<Edge> {
-    let of = |index: usize| {
-        let mut ends = choices(&chosen[index]);
-        ends.sort_unstable();
-        ends.into_iter().filter_map(move |q| {
-            let (s, q) = (PointId::new(index)?, q?);
-            let is_returned = choices(&chosen[q.index()]).contains(&Some(s));
-            // An edge that both ends chose is reported by the smaller.
-            let reported = is_returned == returned && (s < q || !returned);
-            Edge::new(s, q).filter(|_| reported)
-        })
-    };
-    (0..chosen.len())
-        .into_par_iter()
-        .flat_map_iter(of)
-        .collect()
-}
-
-fn choices(of: &Neighbours) -> [Option<PointId>; 2] {
-    [of.nearest, of.half]
 }

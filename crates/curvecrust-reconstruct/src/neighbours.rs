@@ -1,14 +1,22 @@
 //! Nearest and half neighbours: the local step of HNN-Crust and NN-Crust.
 
+mod candidates;
+mod edges;
 mod half_plane;
+mod hilbert;
+mod kernel;
+mod lanes;
+mod order;
+mod search;
+mod tree;
 
-use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, PointId, PointSet};
+use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 use rayon::prelude::*;
-use rstar::primitives::GeomWithData;
-use rstar::{RTree, RTreeParams};
 
-use half_plane::HalfPlane;
+use crate::hnn_crust::Keep;
+use kernel::{Choice, TASK};
+use search::NONE;
+use tree::Tree;
 
 /// The two points to which a point of a curve may be joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,56 +59,66 @@ pub enum HalfRule {
 /// ```
 #[must_use]
 pub fn neighbours(points: &PointSet, rule: HalfRule) -> Vec<Neighbours> {
-    let entries = points.ids().map(|id| Entry::new(points[id].into(), id));
-    let tree = RTree::bulk_load(entries.collect());
-    points
-        .points()
-        .par_iter()
-        .map(|&s| of_point(&tree, s, rule))
-        .collect()
-}
-
-type Entry = GeomWithData<[f64; 2], PointId>;
-
-fn of_point<P: RTreeParams>(tree: &RTree<Entry, P>, s: DVec2, rule: HalfRule) -> Neighbours {
-    let Some(nearest) = closest(tree, s, |_| true) else {
-        return Neighbours::default();
-    };
-    let plane = HalfPlane::new(rule, s, DVec2::from(*nearest.geom()));
-    let half = closest(tree, s, |q| plane.contains(q));
-    Neighbours {
-        nearest: Some(nearest.data),
-        half: half.map(|e| e.data),
+    let Choices { order, chosen } = Choices::new(points, rule);
+    let id = |at: u32| order.get(at as usize).map(|&i| PointId::from(i));
+    let mut neighbours = vec![Neighbours::default(); points.len()];
+    for (&index, &[nearest, half]) in order.iter().zip(&chosen) {
+        neighbours[index as usize] = Neighbours {
+            nearest: id(nearest),
+            half: id(half),
+        };
     }
+    neighbours
 }
 
-/// The closest point other than `s` that is `wanted`, by distance and coordinates.
-fn closest<P: RTreeParams>(
-    tree: &RTree<Entry, P>,
-    s: DVec2,
-    wanted: impl Fn(DVec2) -> bool,
-) -> Option<&Entry> {
-    let mut ascending = tree
-        .nearest_neighbor_iter_with_distance_2(s.into())
-        .map(|(e, d)| (e, DVec2::from(*e.geom()), d))
-        .filter(|&(_, q, _)| q != s && wanted(q));
-    let first = ascending.next()?;
-    ascending
-        .take_while(|&(_, _, d)| d <= first.2)
-        .fold(first, |best, other| {
-            if by_coordinates(other.1, best.1).is_lt() {
-                other
-            } else {
-                best
+/// The neighbours of all points, in spatial order.
+#[derive(Debug)]
+pub(crate) struct Choices {
+    /// The points in spatial order.
+    order: Vec<u32>,
+    /// What each chose, as positions in that order.
+    chosen: Vec<Choice>,
+}
+
+impl Choices {
+    /// The nearest and the half neighbour of every point.
+    pub(crate) fn new(points: &PointSet, rule: HalfRule) -> Self {
+        let order = order::spatial(points.points());
+        let tree = Tree::new(points.points(), &order);
+        let mut chosen = vec![[NONE; 2]; tree.len()];
+        chosen
+            .par_chunks_mut(TASK)
+            .enumerate()
+            .for_each(|(task, chosen)| kernel::choose(&tree, rule, task, chosen));
+        Self { order, chosen }
+    }
+
+    /// Takes back the choice of a half neighbour by some of the points.
+    pub(crate) fn without_half(mut self, of: &[PointId]) -> Self {
+        let mut is_of = vec![false; self.order.len()];
+        for id in of {
+            is_of[id.index()] = true;
+        }
+        for (&index, [_, half]) in self.order.iter().zip(&mut self.chosen) {
+            if is_of[index as usize] {
+                *half = NONE;
             }
-        })
-        .0
-        .into()
+        }
+        self
+    }
+
+    /// The edges that points chose and `keep` wants.
+    pub(crate) fn edges(&self, keep: Keep) -> EdgeSet {
+        edges::kept(&self.order, &self.chosen, keep)
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::half_plane::HalfPlane;
     use super::*;
+    use curvecrust_geometry::DVec2;
+    use curvecrust_geometry::point_set::by_coordinates;
     use proptest::prelude::*;
 
     const RULES: [HalfRule; 2] = [HalfRule::Bisector, HalfRule::RightAngle];

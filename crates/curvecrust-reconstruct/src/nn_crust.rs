@@ -12,8 +12,8 @@
 use curvecrust_geometry::{EdgeSet, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
-use crate::hnn_crust::{Keep, keep_edges};
-use crate::neighbours::{HalfRule, neighbours};
+use crate::hnn_crust::Keep;
+use crate::neighbours::{Choices, HalfRule};
 
 /// The edges of NN-Crust.
 ///
@@ -21,16 +21,18 @@ use crate::neighbours::{HalfRule, neighbours};
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::{hnn_crust, nn_crust};
 ///
-/// // Two rows: each end of a row finds nothing ahead but a point of the other row.
-/// let row = |y: f64| (0..3).map(move |i| DVec2::new(f64::from(i), y));
-/// let points = PointSet::new(row(0.0).chain(row(1.5)).collect())?;
+/// // A stem that ends over the middle of a row: its last sample reaches for the row.
+/// let row = (-2..=2).map(|x| DVec2::new(f64::from(x), 0.0));
+/// let stem = (0..3).map(|y| DVec2::new(0.0, 1.6 + f64::from(y)));
+/// let points = PointSet::new(row.chain(stem).collect())?;
+/// assert_eq!(nn_crust(&points).len(), 7);
+/// assert_eq!(nn_crust(&points).junctions().len(), 1);
 /// assert_eq!(hnn_crust(&points).len(), 6);
-/// assert_eq!(nn_crust(&points).len(), 6);
 /// # Ok::<(), curvecrust_geometry::PointSetError>(())
 /// ```
 #[must_use]
 pub fn nn_crust(points: &PointSet) -> EdgeSet {
-    keep_edges(&neighbours(points, HalfRule::RightAngle), Keep::Union)
+    Choices::new(points, HalfRule::RightAngle).edges(Keep::Union)
 }
 
 /// NN-Crust behind the common contract.

@@ -4,47 +4,59 @@ use glam::DVec2;
 
 use super::HalfRule;
 
-/// Bound on the error of [`HalfPlane::estimate`] relative to |q s|^2 + |n0 s|^2.
+/// Bound on the error of a.b minus the threshold, relative to |a|^2 + |b|^2.
 ///
-/// With u = 2^-53, the terms 2 a_i b_i and b_i b_i each err by at most 5 u in all (differences,
-/// product, sum, final difference). The magnitudes of all terms sum to at most |a|^2 + 2 |b|^2, so
-/// 10 u times the sum of squares is enough; 16 u leaves room for rounding the bound itself.
-const ERROR: f64 = 16.0 * (f64::EPSILON / 2.0);
+/// With u = 2^-53, the terms a_i b_i and b_i b_i / 2 each err by at most 5 u in all (differences,
+/// product, sum, final difference), and their magnitudes sum to at most |a|^2 / 2 + |b|^2. 8 u
+/// leaves room for rounding the bound itself.
+pub(super) const ERROR: f64 = 8.0 * (f64::EPSILON / 2.0);
 
-/// The half-plane in which the half neighbour of a point is sought.
+/// The half-plane in which the half neighbour of a point s is sought.
 ///
-/// With a = q - s and b = n0 - s, a point q lies in it iff 2 a.b < b.b (bisector rule, open) or
-/// 2 a.b <= 0 (right-angle rule, closed).
+/// With a = q - s and b = n0 - s, a point q lies in it iff a.b < b.b / 2 (bisector rule, open) or
+/// a.b <= 0 (right-angle rule, closed).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HalfPlane {
     rule: HalfRule,
     s: DVec2,
     n0: DVec2,
+    /// b, rounded.
+    pub(super) normal: DVec2,
+    /// What a.b must not reach, rounded.
+    pub(super) threshold: f64,
 }
 
 impl HalfPlane {
+    #[inline(always)]
     pub(super) fn new(rule: HalfRule, s: DVec2, n0: DVec2) -> Self {
-        Self { rule, s, n0 }
+        let normal = n0 - s;
+        Self {
+            rule,
+            s,
+            n0,
+            normal,
+            threshold: threshold(rule, normal.length_squared()),
+        }
     }
 
     /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
-    pub(super) fn contains(self, q: DVec2) -> bool {
-        let (a, b) = (q - self.s, self.n0 - self.s);
-        let estimate = 2.0 * a.dot(b) - self.offset(b);
-        let error = ERROR * (a.length_squared() + b.length_squared());
-        if estimate.abs() > error {
-            return estimate < 0.0;
-        }
-        match (self.rule, self.exact(q)) {
-            (HalfRule::Bisector, sign) => sign < 0.0,
-            (HalfRule::RightAngle, sign) => sign <= 0.0,
+    #[inline(always)]
+    pub(super) fn contains(&self, q: DVec2) -> bool {
+        let a = q - self.s;
+        let excess = a.dot(self.normal) - self.threshold;
+        let error = ERROR * (a.length_squared() + self.normal.length_squared());
+        if excess.abs() > error {
+            excess < 0.0
+        } else {
+            self.contains_exactly(q)
         }
     }
 
-    fn offset(self, b: DVec2) -> f64 {
+    #[cold]
+    fn contains_exactly(&self, q: DVec2) -> bool {
         match self.rule {
-            HalfRule::Bisector => b.length_squared(),
-            HalfRule::RightAngle => 0.0,
+            HalfRule::Bisector => self.exact(q) < 0.0,
+            HalfRule::RightAngle => self.exact(q) <= 0.0,
         }
     }
 
@@ -53,7 +65,7 @@ impl HalfPlane {
     /// Differences are split into a rounded value and its error, so that the polynomial becomes a
     /// sum of products of two doubles. Coordinates are multiples of 2^-194 below 2^202: no product
     /// under- or overflows.
-    fn exact(self, q: DVec2) -> f64 {
+    fn exact(&self, q: DVec2) -> f64 {
         let mut sum = Expansion::default();
         for axis in 0..2 {
             let a = two_diff(q[axis], self.s[axis]);
@@ -70,6 +82,15 @@ impl HalfPlane {
             }
         }
         sum.sign()
+    }
+}
+
+/// What a.b must not reach, from |b|^2.
+#[inline(always)]
+pub(super) fn threshold(rule: HalfRule, normal_squared: f64) -> f64 {
+    match rule {
+        HalfRule::Bisector => 0.5 * normal_squared,
+        HalfRule::RightAngle => 0.0,
     }
 }
 
@@ -175,9 +196,7 @@ mod tests {
                 let plane = HalfPlane::new(rule, s, n0);
                 prop_assert_eq!(plane.contains(q), contains_by_integers(rule, at));
                 // Without the filter too.
-                let sign = plane.exact(q);
-                let exact = if rule == HalfRule::Bisector { sign < 0.0 } else { sign <= 0.0 };
-                prop_assert_eq!(exact, contains_by_integers(rule, at));
+                prop_assert_eq!(plane.contains_exactly(q), contains_by_integers(rule, at));
             }
         }
     }

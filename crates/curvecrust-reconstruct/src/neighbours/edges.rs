@@ -1,0 +1,81 @@
+//! Edges from the choices of all points.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use curvecrust_geometry::{Edge, EdgeSet};
+use rayon::prelude::*;
+
+use super::kernel::Choice;
+use super::search::NONE;
+use crate::hnn_crust::Keep;
+
+/// Points that make a task.
+const TASK: usize = 1 << 12;
+
+/// The edges that points chose and `keep` wants, from their ids and choices in spatial order.
+///
+/// Choices are compared in that order, in which those of neighbours are close in memory. Each point
+/// then reports its edges to points with larger ids in a slot of its own. Reading the slots by id
+/// gives the edges ascending, without a sort but for those that only the larger end chose.
+pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
+    let count = order.len();
+    let empty = || AtomicU64::new(pair([NONE; 2]));
+    let slots: Vec<AtomicU64> = (0..count).into_par_iter().map(|_| empty()).collect();
+    let to_smaller: Vec<Edge> = order
+        .par_iter()
+        .enumerate()
+        .with_min_len(TASK)
+        .flat_map_iter(|(at, &s)| {
+            let reported = reported(order, chosen, at, keep);
+            // Every point has its own slot, written once.
+            let larger = reported.map(|id| if id > s { id } else { NONE });
+            slots[s as usize].store(pair(larger), Ordering::Relaxed);
+            let smaller = reported.into_iter().filter(move |&id| id < s);
+            smaller.filter_map(move |id| edge(s, id))
+        })
+        .collect();
+    let mut edges = Vec::with_capacity(count + to_smaller.len());
+    for (s, slot) in (0u32..).zip(slots) {
+        let larger = parts(slot.into_inner());
+        edges.extend(larger.into_iter().filter_map(|id| edge(s, id)));
+    }
+    if !to_smaller.is_empty() {
+        edges.extend(to_smaller);
+        // A stable sort takes the sorted part as it is.
+        edges.sort();
+    }
+    EdgeSet::new(count, edges)
+}
+
+/// The ids to which the point at a position reports an edge, or [`NONE`].
+///
+/// An edge that both ends chose is reported by the smaller id.
+#[inline(always)]
+fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2] {
+    chosen[at].map(|q| {
+        let Some(&id) = order.get(q as usize) else {
+            return NONE;
+        };
+        let returned = chosen[q as usize].iter().any(|&back| back as usize == at);
+        let is_reported = if returned {
+            order[at] < id
+        } else {
+            keep == Keep::Union
+        };
+        if is_reported { id } else { NONE }
+    })
+}
+
+fn edge(s: u32, id: u32) -> Option<Edge> {
+    Edge::new(s.into(), id.into()).filter(|_| id != NONE)
+}
+
+/// Two numbers in one, the smaller first.
+fn pair([p, q]: [u32; 2]) -> u64 {
+    u64::from(p.max(q)) << 32 | u64::from(p.min(q))
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the two halves")]
+fn parts(pair: u64) -> [u32; 2] {
+    [pair as u32, (pair >> 32) as u32]
+}

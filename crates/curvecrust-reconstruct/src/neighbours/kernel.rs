@@ -1,0 +1,161 @@
+//! The choices of the points of a leaf, found together.
+//!
+//! One box query around a leaf finds candidates, two passes over them the nearest and the half
+//! neighbours of all of its points. A neighbour is certain if no point outside the box can be
+//! closer, and none inside is equally close; for what is not, the whole tree is searched.
+
+use super::HalfRule;
+use super::candidates::{Candidates, Closest, LANES, Wanted};
+use super::half_plane::{HalfPlane, threshold};
+use super::lanes::{WIDTH, sum};
+use super::search::{Best, NONE};
+use super::tree::{Leaf, Rect, Room, Tree};
+
+/// Positions of the nearest and the half neighbour in the spatial order, or [`NONE`].
+pub(super) type Choice = [u32; 2];
+
+/// Leaves that make a task.
+const LEAVES: usize = 64;
+
+/// Points that make a task.
+pub(super) const TASK: usize = LEAVES * WIDTH;
+
+/// How far around a leaf candidates are taken, in typical distances between its points.
+///
+/// Half neighbours on a curve are nearly always closer; more would be found farther out, but more
+/// candidates cost more than the searches that they save.
+const REACH: f64 = 2.0;
+
+/// A leaf is cut where the spatial order jumps this many reaches: one box around both sides would
+/// be large.
+const JUMP: f64 = 20.0;
+
+/// Makes the choices of one task, those of the points from `TASK * task` on.
+#[cfg_attr(
+    feature = "simd",
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
+        "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
+    ))
+)]
+pub(super) fn choose(tree: &Tree, rule: HalfRule, task: usize, choices: &mut [Choice]) {
+    let mut kernel = Kernel {
+        tree,
+        rule,
+        candidates: Candidates::new(),
+        room: Room::default(),
+    };
+    let leaves = tree.leaves().iter().skip(LEAVES * task);
+    for (leaf, choices) in leaves.zip(choices.chunks_mut(WIDTH)) {
+        kernel.choose(leaf, choices);
+    }
+}
+
+struct Kernel<'a> {
+    tree: &'a Tree,
+    rule: HalfRule,
+    candidates: Candidates,
+    room: Room,
+}
+
+impl Kernel<'_> {
+    /// The choices of the points of a leaf.
+    #[inline(always)]
+    fn choose(&mut self, leaf: &Leaf, choices: &mut [Choice]) {
+        let reach = REACH * typical_distance(leaf);
+        let mut first = 0;
+        while first < choices.len() {
+            let end = end_of_run(leaf, first, JUMP * reach).min(choices.len());
+            let rect = leaf.bounds_of(first..end).grown(reach);
+            if self.collect(rect).is_none() {
+                self.candidates.clear();
+            }
+            for choices in choices[first..end].chunks_mut(LANES) {
+                self.choose_lanes(leaf, first, rect, choices);
+                first += choices.len();
+            }
+        }
+    }
+
+    /// Collects the points in a rectangle; `None` if they are too many.
+    #[inline(always)]
+    fn collect(&mut self, rect: Rect) -> Option<()> {
+        self.candidates.clear();
+        for &index in self.tree.meeting(rect, &mut self.room)? {
+            let leaf = self.tree.leaf(index);
+            self.candidates.add(leaf, index, rect)?;
+        }
+        Some(())
+    }
+
+    /// The choices of the points from slot `first` on, given the points in a rectangle around.
+    #[inline(always)]
+    fn choose_lanes(&self, leaf: &Leaf, first: usize, rect: Rect, choices: &mut [Choice]) {
+        let mut wanted = Wanted {
+            x: std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]),
+            y: std::array::from_fn(|l| leaf.y[(first + l) % WIDTH]),
+            ..Wanted::default()
+        };
+        let nearest = self.candidates.closest::<false>(&wanted);
+        for l in 0..LANES {
+            let n0 = self.candidates.best(&nearest, l).point;
+            wanted.normal_x[l] = n0.x - wanted.x[l];
+            wanted.normal_y[l] = n0.y - wanted.y[l];
+            wanted.limit[l] = threshold(self.rule, nearest.squared[l]);
+        }
+        let half = self.candidates.closest::<true>(&wanted);
+        for (l, choice) in choices.iter_mut().enumerate().take(LANES) {
+            let s = leaf.point(first + l);
+            // As rounding is monotonic, no point outside the rectangle is computed to be closer.
+            let side = (s - rect.low).min(rect.high - s).min_element();
+            let certain = |c: &Closest| c.squared[l] < side * side && c.squared[l] < c.second[l];
+            let mut n0 = self.candidates.best(&nearest, l);
+            if !certain(&nearest) {
+                n0 = self.tree.closest(s, None, n0);
+            }
+            if n0.at == NONE {
+                continue;
+            }
+            let plane = HalfPlane::new(self.rule, s, n0.point);
+            let mut h = self.candidates.best(&half, l);
+            let holds = certain(&nearest) && h.at != NONE && plane.contains(h.point);
+            if !(holds && certain(&half)) {
+                let start = if holds { h } else { Best::NONE };
+                h = self.tree.closest(s, Some(plane), start);
+            }
+            *choice = [n0.at, h.at];
+        }
+    }
+}
+
+/// The first slot after `first` whose point is farther than `jump` from the one before.
+#[inline(always)]
+fn end_of_run(leaf: &Leaf, first: usize, jump: f64) -> usize {
+    let gap = |slot: usize| (leaf.point(slot) - leaf.point(slot - 1)).length_squared();
+    let mut ends = first + 1..WIDTH;
+    ends.find(|&slot| gap(slot) > jump * jump).unwrap_or(WIDTH)
+}
+
+/// A mean of the distances from each point of a leaf to the nearest other one, in which those of
+/// points that lie apart count less. 0 for a single point.
+#[inline(always)]
+fn typical_distance(leaf: &Leaf) -> f64 {
+    let mut squared = [f64::INFINITY; WIDTH];
+    for c in 0..WIDTH {
+        let (x, y) = (leaf.x[c], leaf.y[c]);
+        for (l, least) in squared.iter_mut().enumerate() {
+            let (a_x, a_y) = (x - leaf.x[l], y - leaf.y[l]);
+            let d = a_x * a_x + a_y * a_y;
+            let closer = (d > 0.0) & (d < *least);
+            *least = if closer { d } else { *least };
+        }
+    }
+    let distances = squared.map(f64::sqrt);
+    let inverses = sum(&distances.map(|d| 1.0 / d));
+    if inverses > 0.0 {
+        let limit = 4.0 * WIDTH as f64 / inverses;
+        sum(&distances.map(|d| if d < limit { d } else { limit })) / WIDTH as f64
+    } else {
+        0.0
+    }
+}

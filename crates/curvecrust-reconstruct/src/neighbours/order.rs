@@ -1,0 +1,141 @@
+//! An order of the points in which neighbours in the plane are close to each other.
+
+use curvecrust_geometry::DVec2;
+use rayon::prelude::*;
+
+use super::hilbert;
+
+/// Points that may share a cell of the grid; more of them get a grid of their own.
+const CROWD: usize = 24;
+
+/// Below this many points a task is not divided among threads.
+const TASK: usize = 1 << 14;
+
+/// The indices of `points` along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding
+/// box; the points of a crowded cell are ordered in the same way on a grid over theirs.
+///
+/// Every grid separates the two extreme points of its cell, and is 2^16 times as fine as the last:
+/// coordinates between 2^-194 and 2^202 bound the depth to 25.
+pub(super) fn spatial(points: &[DVec2]) -> Vec<u32> {
+    let Ok(count) = u32::try_from(points.len()) else {
+        // A point set has fewer points.
+        return Vec::new();
+    };
+    let mut packed: Vec<u64> = (0..count).map(u64::from).collect();
+    sort(points, &mut packed);
+    packed.iter().map(|&p| index(p)).collect()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the low half is the index")]
+fn index(packed: u64) -> u32 {
+    packed as u32
+}
+
+/// Sorts indices (the low halves) by the keys of their points, which fill the high halves.
+fn sort(points: &[DVec2], packed: &mut [u64]) {
+    let grid = Grid::over(points, packed);
+    let fill = |p: &mut u64| {
+        let index = index(*p);
+        *p = u64::from(grid.key(points[index as usize])) << 32 | u64::from(index);
+    };
+    if packed.len() < TASK {
+        packed.iter_mut().for_each(fill);
+    } else {
+        packed.par_iter_mut().with_min_len(TASK).for_each(fill);
+    }
+    sort_unstable(packed, rayon::current_num_threads());
+    for crowd in packed.chunk_by_mut(|a, b| a >> 32 == b >> 32) {
+        if crowd.len() > CROWD {
+            sort(points, crowd);
+        }
+    }
+}
+
+/// Sorts distinct numbers, on up to `threads` threads.
+fn sort_unstable(numbers: &mut [u64], threads: usize) {
+    if threads < 2 || numbers.len() < TASK {
+        numbers.sort_unstable();
+        return;
+    }
+    let half = threads / 2;
+    let middle = numbers.len() / threads * half;
+    let (low, _, high) = numbers.select_nth_unstable(middle);
+    rayon::join(
+        || sort_unstable(low, half),
+        || sort_unstable(high, threads - half),
+    );
+}
+
+/// A grid over the bounding box of some points.
+struct Grid {
+    low: DVec2,
+    scale: f64,
+}
+
+impl Grid {
+    fn over(points: &[DVec2], packed: &[u64]) -> Self {
+        let (low, high) = packed
+            .iter()
+            .map(|&p| points[index(p) as usize])
+            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
+                (low.min(p), high.max(p))
+            });
+        let extent = (high - low).max_element();
+        let scale = if extent > 0.0 {
+            (hilbert::SIDE - 0.5) / extent
+        } else {
+            0.0
+        };
+        Self { low, scale }
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and SIDE"
+    )]
+    #[inline(always)]
+    fn key(&self, p: DVec2) -> u32 {
+        let cell = (p - self.low) * self.scale;
+        hilbert::key(cell.x as u32, cell.y as u32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clusters_within_clusters_are_resolved() {
+        // Thirty clusters, each a millionth of the last, of a hundred points in a row.
+        let points: Vec<DVec2> = (0..30)
+            .flat_map(|depth| (1..=100).map(move |i| (depth, i)))
+            .map(|(depth, i)| DVec2::new(f64::from(i) * 1e-6f64.powi(depth), 0.0))
+            .collect();
+        let points = &points[..700];
+        let order = spatial(points);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..700));
+        let xs = order.iter().map(|&i| points[i as usize].x);
+        let jumps = xs.clone().zip(xs.skip(1)).filter(|(a, b)| a > b).count();
+        assert!(jumps < 100, "{jumps}");
+    }
+
+    #[test]
+    fn threads_do_not_matter() {
+        let mut state = 1u64;
+        let mut numbers: Vec<u64> = (0..100_000)
+            .map(|i| {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                state >> 40 << 20 | i
+            })
+            .collect();
+        let mut one = numbers.clone();
+        sort_unstable(&mut one, 1);
+        sort_unstable(&mut numbers, 5);
+        assert_eq!(one, numbers);
+    }
+}
