@@ -33,7 +33,12 @@ pub fn crust(points: &PointSet) -> EdgeSet {
         .edges()
         .filter(|dual| is_crust_edge(points, dual))
         .collect();
-    let vertices = VoronoiVertices::new(points, &delaunay);
+    let length = |dual: &DualEdge| {
+        let [p, q] = dual.ends.map(|id| points[id]);
+        p.distance(q)
+    };
+    let longest = candidates.iter().map(length).fold(0.0, f64::max);
+    let vertices = VoronoiVertices::new(points, &delaunay, longest);
     let kept: Vec<_> = candidates
         .par_iter()
         .filter(|dual| vertices.spare_a_disc_through(dual.ends))

@@ -76,7 +76,7 @@ pub fn one_step_crust(points: &PointSet) -> CrustAndSkeleton {
         .filter_map(|dual| SkeletonEdge::dual_of(points, dual));
     CrustAndSkeleton {
         crust: EdgeSet::new(points.len(), crust.iter().filter_map(edge_of)),
-        skeleton: Skeleton::new(skeleton.collect()),
+        skeleton: Skeleton::new(points, skeleton.collect()),
     }
 }
 

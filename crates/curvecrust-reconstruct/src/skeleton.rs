@@ -5,9 +5,8 @@ use curvecrust_voronoi::DualEdge;
 use rayon::prelude::*;
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
-/// Beyond this many extents of the points, the skeleton is not looked at: squares of distances
-/// stay finite, and no local feature size that a curve can have is missed.
-const FAR: f64 = (1u128 << 100) as f64;
+/// The farthest that the skeleton is looked for: squares of distances stay finite.
+const FARTHEST: f64 = f64::from_bits((1023 + 500) << 52);
 
 /// A Voronoi edge of the samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,24 +46,48 @@ impl SkeletonEdge {
         Some(Self { sites, start, end })
     }
 
-    /// The part within `far` of a place, or a little more; `None` if both ends are farther.
-    fn clipped(&self, place: DVec2, far: f64) -> Option<Segment> {
-        let is_near = |v: DVec2| (v - place).abs().max_element() <= far;
-        let from = |start: DVec2, direction: DVec2| {
-            let unit = (direction / direction.abs().max_element()).normalize_or_zero();
-            Segment::new(start, start + unit * (4.0 * far))
+    /// Where it lies on the bisector of its sites.
+    fn on_bisector(&self, [p, q]: [DVec2; 2]) -> OnBisector {
+        let foot = p + (q - p) / 2.0;
+        let axis = (q - p).perp().normalize_or_zero();
+        let start = (self.start - foot).dot(axis);
+        let end = match self.end {
+            SkeletonEnd::At(end) => (end - foot).dot(axis),
+            SkeletonEnd::Towards(direction) => f64::INFINITY.copysign(direction.dot(axis)),
         };
-        match self.end {
-            SkeletonEnd::At(end) => match (is_near(self.start), is_near(end)) {
-                (true, true) => Some(Segment::new(self.start, end)),
-                (true, false) => Some(from(self.start, end - self.start)),
-                (false, true) => Some(from(end, self.start - end)),
-                (false, false) => None,
-            },
-            SkeletonEnd::Towards(direction) => {
-                is_near(self.start).then(|| from(self.start, direction))
-            }
+        OnBisector {
+            foot,
+            axis,
+            from: start.min(end),
+            to: start.max(end),
         }
+    }
+}
+
+/// The points `foot + t axis` of a line with `from <= t <= to`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct OnBisector {
+    foot: DVec2,
+    /// A unit vector.
+    axis: DVec2,
+    from: f64,
+    to: f64,
+}
+
+impl OnBisector {
+    fn distance(&self, place: DVec2) -> f64 {
+        let to_foot = self.foot - place;
+        let t = (-to_foot.dot(self.axis)).max(self.from).min(self.to);
+        let away = to_foot + t * self.axis;
+        away.x.hypot(away.y)
+    }
+
+    /// The part no farther than `reach` from a place, or a little more; `None` if there is none.
+    fn clipped(&self, place: DVec2, reach: f64) -> Option<Segment> {
+        let middle = (place - self.foot).dot(self.axis);
+        let (from, to) = (self.from.max(middle - reach), self.to.min(middle + reach));
+        let at = |t: f64| self.foot + t * self.axis;
+        (from <= to).then(|| Segment::new(at(from), at(to)))
     }
 }
 
@@ -74,12 +97,17 @@ impl SkeletonEdge {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Skeleton {
     edges: Vec<SkeletonEdge>,
+    lines: Vec<OnBisector>,
 }
 
 impl Skeleton {
-    pub(crate) fn new(mut edges: Vec<SkeletonEdge>) -> Self {
+    pub(crate) fn new(points: &PointSet, mut edges: Vec<SkeletonEdge>) -> Self {
         edges.sort_unstable_by_key(|e| e.sites);
-        Self { edges }
+        let line = |e: &SkeletonEdge| e.on_bisector(e.sites.map(|id| points[id]));
+        Self {
+            lines: edges.iter().map(line).collect(),
+            edges,
+        }
     }
 
     /// The edges.
@@ -88,24 +116,33 @@ impl Skeleton {
         &self.edges
     }
 
-    /// For every point its distance to the skeleton, an estimate of its local feature size; infinite
-    /// if there is no skeleton.
+    /// For every point its distance to the skeleton, if it is a sample an estimate of its local
+    /// feature size; infinite if there is no skeleton.
     ///
     /// It approaches the local feature size as the samples get denser, and means little where they
-    /// violate every sampling condition. Parts of the skeleton farther than 2^100 times the extent
-    /// of the points count as infinitely far. Cost: O(n log n).
+    /// violate every sampling condition. Skeletons farther than 2^500 count as infinitely far.
+    /// Cost: O(n log n), but more if nearly all points lie on one line up to rounding, where every
+    /// part of the skeleton is about as far.
     #[must_use]
     pub fn lfs(&self, points: &PointSet) -> Vec<f64> {
         let Some(&first) = points.points().first() else {
             return Vec::new();
         };
-        let (low, high) = points
+        let nearest = self.lines.iter().map(|line| line.distance(first));
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        // No point is farther from the skeleton than this, nor is that place farther from the first.
+        let extent = points
             .points()
             .iter()
-            .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
-        let far = FAR * (high - low).max_element();
-        let pieces = self.edges.iter().filter_map(|e| e.clipped(first, far));
-        let tree = RTree::bulk_load(pieces.map(Piece).collect());
+            .map(|p| p.distance(first))
+            .fold(0.0, f64::max);
+        let reach = 2.0 * extent + nearest;
+        if reach > FARTHEST {
+            return vec![f64::INFINITY; points.len()];
+        }
+        let near = self.lines.iter();
+        let near = near.filter_map(|line| line.clipped(first, 1.01 * reach));
+        let tree = RTree::bulk_load(near.map(Piece).collect());
         let distance = |&p: &DVec2| {
             tree.nearest_neighbor(p.into())
                 .map_or(f64::INFINITY, |piece| piece.0.distance(p))

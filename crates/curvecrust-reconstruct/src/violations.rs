@@ -102,3 +102,40 @@ impl Joint {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algorithm::Reconstructor;
+    use crate::hnn_crust::{HnnCrust, hnn_crust};
+    use crate::nn_crust::nn_crust;
+    use curvecrust_geometry::DVec2;
+
+    #[test]
+    fn a_dense_ring_has_no_violation() {
+        let ring = (0..36).map(|i| DVec2::from_angle(f64::from(10 * i).to_radians()));
+        let points = PointSet::new(ring.collect()).unwrap();
+        let report = ViolationReport::new(&points, &hnn_crust(&points)).unwrap();
+        assert!(report.is_closed());
+        assert_eq!(report.joints.len(), 36);
+        for joint in report.joints {
+            assert!((joint.degrees - 170.0).abs() < 1e-9);
+            assert!((1.0..1.0 + 1e-9).contains(&joint.length_ratio));
+        }
+    }
+
+    #[test]
+    fn each_vertex_is_reported_once() {
+        // A row with a stem that ends over its middle: a junction for NN-Crust.
+        let row = (-2..=2).map(|x| DVec2::new(f64::from(x), 0.0));
+        let stem = (0..3).map(|y| DVec2::new(0.0, 1.6 + f64::from(y)));
+        let points = PointSet::new(row.chain(stem).collect()).unwrap();
+        for edges in [nn_crust(&points), HnnCrust::MUTUAL.reconstruct(&points)] {
+            let report = ViolationReport::new(&points, &edges).unwrap();
+            let mut vertices = [report.leaves, report.isolated, report.junctions].concat();
+            vertices.extend(report.joints.iter().map(|j| j.vertex));
+            vertices.sort_unstable();
+            assert_eq!(vertices, points.ids().collect::<Vec<_>>());
+        }
+    }
+}

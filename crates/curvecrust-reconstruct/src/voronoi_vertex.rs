@@ -3,7 +3,6 @@
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use num_traits::ToPrimitive;
-use rstar::{AABB, PointDistance, RTreeObject};
 
 use crate::exact::{cross, integers, sub};
 
@@ -63,22 +62,14 @@ impl VoronoiVertex {
         }
     }
 
-    fn position(&self) -> DVec2 {
+    /// Its distance to the corners, which are its nearest samples.
+    pub(crate) fn radius(&self) -> f64 {
+        self.offset.length()
+    }
+
+    /// Its coordinates, rounded.
+    pub(crate) fn position(&self) -> DVec2 {
         self.corner + self.offset
-    }
-}
-
-impl RTreeObject for VoronoiVertex {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        AABB::from_point(self.position().into())
-    }
-}
-
-impl PointDistance for VoronoiVertex {
-    fn distance_2(&self, point: &[f64; 2]) -> f64 {
-        self.position().distance_squared((*point).into())
     }
 }
 

@@ -1,26 +1,47 @@
 //! Whether Voronoi vertices leave room for a disc that touches two samples.
 
+use std::sync::OnceLock;
+
 use curvecrust_geometry::{PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
+use rayon::prelude::*;
 use rstar::RTree;
+use rstar::primitives::GeomWithData;
 
 use crate::pencil::{Cut, Effect, Pencil};
 use crate::voronoi_vertex::VoronoiVertex;
 
+/// The rounded place of a Voronoi vertex, and its index.
+type Tree = RTree<GeomWithData<[f64; 2], usize>>;
+
 /// The Voronoi vertices of a point set, ready for searches.
 pub(crate) struct VoronoiVertices<'a> {
     points: &'a PointSet,
-    tree: RTree<VoronoiVertex>,
+    vertices: Vec<VoronoiVertex>,
+    /// Those nearer to samples than the length of the longest edge to be asked about: where
+    /// samples are dense these are few, and no other lies in the smallest disc of an edge.
+    near: Tree,
+    /// All others, indexed if the smallest disc of some edge is not free.
+    far: OnceLock<Tree>,
+    reach: f64,
 }
 
 impl<'a> VoronoiVertices<'a> {
-    pub(crate) fn new(points: &'a PointSet, delaunay: &Delaunay) -> Self {
-        let vertices = delaunay
-            .triangles()
-            .map(|triangle| VoronoiVertex::new(points, triangle));
+    /// For questions about edges up to a length.
+    pub(crate) fn new(points: &'a PointSet, delaunay: &Delaunay, longest: f64) -> Self {
+        let triangles: Vec<[PointId; 3]> = delaunay.triangles().collect();
+        let vertices: Vec<VoronoiVertex> = triangles
+            .par_iter()
+            .map(|&triangle| VoronoiVertex::new(points, triangle))
+            .collect();
+        // A little more, for rounding.
+        let reach = longest * (1.0 + 2f64.powi(-10));
         Self {
             points,
-            tree: RTree::bulk_load(vertices.collect()),
+            near: tree_of(&vertices, |v| v.radius() <= reach),
+            vertices,
+            far: OnceLock::new(),
+            reach,
         }
     }
 
@@ -31,6 +52,9 @@ impl<'a> VoronoiVertices<'a> {
     /// halves, until a disc is free or the ends of the range are too close to tell apart.
     pub(crate) fn spare_a_disc_through(&self, ends: [PointId; 2]) -> bool {
         let pencil = Pencil::new(self.points, ends);
+        if self.in_disc(&self.near, &pencil, 0.0).next().is_none() {
+            return true;
+        }
         let mut range = Range::default();
         while let Some(tried) = range.probe() {
             for vertex in self.inside(&pencil, tried) {
@@ -57,17 +81,37 @@ impl<'a> VoronoiVertices<'a> {
 
     /// All vertices in a disc and perhaps a few around it.
     fn inside(&self, pencil: &Pencil<'_>, cotangent: f64) -> impl Iterator<Item = &VoronoiVertex> {
+        let far = self
+            .far
+            .get_or_init(|| tree_of(&self.vertices, |v| v.radius() > self.reach));
+        let near = self.in_disc(&self.near, pencil, cotangent);
+        near.chain(self.in_disc(far, pencil, cotangent))
+    }
+
+    fn in_disc<'t>(
+        &'t self,
+        tree: &'t Tree,
+        pencil: &Pencil<'_>,
+        cotangent: f64,
+    ) -> impl Iterator<Item = &'t VoronoiVertex> {
         let disc = pencil.disc(cotangent);
         // A disc too large for a tree holds them all.
-        let all = disc.is_none().then(|| self.tree.iter());
-        let near = disc.map(|(centre, reach_squared)| {
-            self.tree
-                .nearest_neighbor_iter_with_distance_2(centre.into())
-                .take_while(move |&(_, distance_squared)| distance_squared <= reach_squared)
-                .map(|(vertex, _)| vertex)
+        let all = disc.is_none().then(|| tree.iter());
+        let within = disc.map(|(centre, reach_squared)| {
+            tree.locate_within_distance(centre.into(), reach_squared)
         });
-        near.into_iter().flatten().chain(all.into_iter().flatten())
+        let found = within
+            .into_iter()
+            .flatten()
+            .chain(all.into_iter().flatten());
+        found.map(|item| &self.vertices[item.data])
     }
+}
+
+fn tree_of(vertices: &[VoronoiVertex], wanted: impl Fn(&VoronoiVertex) -> bool) -> Tree {
+    let wanted = vertices.iter().enumerate().filter(|(_, v)| wanted(v));
+    let items = wanted.map(|(index, v)| GeomWithData::new(v.position().into(), index));
+    RTree::bulk_load(items.collect())
 }
 
 /// The discs of a pencil that no vertex has ruled out, by their cotangents: from `low` to `high`,

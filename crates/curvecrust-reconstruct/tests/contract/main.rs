@@ -8,8 +8,10 @@ mod oracles;
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError};
 use curvecrust_reconstruct::{
-    ALGORITHMS, Beta, HnnCrust, ReconstructError, Reconstruction, Reconstructor, ViolationReport,
+    ALGORITHMS, Beta, HnnCrust, OneStepCrust, ReconstructError, Reconstruction, Reconstructor,
+    ViolationReport, one_step_crust,
 };
+use curvecrust_voronoi::Delaunay;
 use inputs::{any_points, distances_differ, mapped, shifted};
 use proptest::prelude::*;
 
@@ -111,6 +113,40 @@ proptest! {
             pool.install(|| ALGORITHMS.iter().map(|a| a.reconstruct(&points)).collect::<Vec<_>>())
         };
         prop_assert_eq!(on(1), on(4));
+    }
+
+    #[test]
+    fn an_edge_is_in_the_crust_or_its_dual_in_the_skeleton(points in any_points()) {
+        let found = one_step_crust(&points);
+        prop_assert_eq!(&found.crust, &OneStepCrust.reconstruct(&points));
+        let duals = found.skeleton.edges().iter().filter_map(|e| Edge::new(e.sites[0], e.sites[1]));
+        let anti_crust = EdgeSet::new(points.len(), duals);
+        prop_assert_eq!(found.skeleton.edges().len(), anti_crust.len());
+        let both = found.crust.edges().iter().chain(anti_crust.edges());
+        let delaunay = Delaunay::new(&points);
+        let all = delaunay.edges().filter_map(|dual| Edge::new(dual.ends[0], dual.ends[1]));
+        let all = EdgeSet::new(points.len(), all);
+        prop_assert_eq!(all.len(), found.crust.len() + anti_crust.len());
+        prop_assert_eq!(EdgeSet::new(points.len(), both.copied()), all);
+
+        let lfs = found.skeleton.lfs(&points);
+        prop_assert_eq!(lfs.len(), points.len());
+        prop_assert!(lfs.iter().all(|&d| d >= 0.0 && (d.is_finite() || anti_crust.is_empty())));
+    }
+
+    #[test]
+    fn the_whole_range_of_coordinates_is_carried(
+        places in prop::collection::vec((-1.0..1.0, -1.0..1.0, 0..4usize), 0..12),
+    ) {
+        let sizes = [PointSet::MIN_MAGNITUDE * 1e20, 1e-20, 1.0, PointSet::MAX_MAGNITUDE];
+        let points = places.iter().map(|&(x, y, size)| DVec2::new(x, y) * sizes[size]);
+        let Ok(points) = PointSet::new(points.collect()) else { return Ok(()) };
+        for &algorithm in ALGORITHMS {
+            let found = Reconstruction::by(algorithm, &points);
+            prop_assert_eq!(found.degrees().len(), points.len());
+        }
+        let lfs = one_step_crust(&points).skeleton.lfs(&points);
+        prop_assert!(lfs.iter().all(|&d| d >= 0.0));
     }
 
     #[test]
