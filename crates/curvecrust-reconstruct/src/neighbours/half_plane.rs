@@ -4,11 +4,10 @@ use glam::DVec2;
 
 use super::HalfRule;
 
-/// Bound on the error of a.b minus the threshold, relative to |a|^2 + |b|^2.
+/// Bound on the error of a.b minus the threshold, relative to |a_x b_x| + |a_y b_y| + threshold.
 ///
-/// With u = 2^-53, the terms a_i b_i and b_i b_i / 2 each err by at most 5 u in all (differences,
-/// product, sum, final difference), and their magnitudes sum to at most |a|^2 / 2 + |b|^2. 8 u
-/// leaves room for rounding the bound itself.
+/// With u = 2^-53, every product errs by at most 5 u in all: two differences, the product itself,
+/// a sum and the last difference. 8 u leaves room for rounding the bound.
 pub(super) const ERROR: f64 = 8.0 * (f64::EPSILON / 2.0);
 
 /// The half-plane in which the half neighbour of a point s is sought.
@@ -42,9 +41,9 @@ impl HalfPlane {
     /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
     #[inline(always)]
     pub(super) fn contains(&self, q: DVec2) -> bool {
-        let a = q - self.s;
-        let excess = a.dot(self.normal) - self.threshold;
-        let error = ERROR * (a.length_squared() + self.normal.length_squared());
+        let products = (q - self.s) * self.normal;
+        let excess = products.element_sum() - self.threshold;
+        let error = ERROR * (products.abs().element_sum() + self.threshold);
         if excess.abs() > error {
             excess < 0.0
         } else {
@@ -109,8 +108,8 @@ fn two_sum(x: f64, y: f64) -> [f64; 2] {
 
 /// A sum of up to 16 products of doubles without rounding error.
 ///
-/// Its terms do not overlap and ascend in magnitude (Shewchuk 1997, "Adaptive precision
-/// floating-point arithmetic", theorem 10), so the last one that is not zero has the sign of all.
+/// Its terms are not zero, do not overlap and ascend in magnitude (Shewchuk 1997, "Adaptive
+/// precision floating-point arithmetic", theorem 10), so the last one has the sign of all.
 #[derive(Default)]
 struct Expansion {
     terms: [f64; 32],
@@ -124,20 +123,27 @@ impl Expansion {
         self.add(product);
     }
 
+    /// Zeros are not kept: on a grid of integers few terms remain.
     fn add(&mut self, value: f64) {
         let mut carry = value;
-        for term in &mut self.terms[..self.len] {
-            [carry, *term] = two_sum(carry, *term);
+        let mut kept = 0;
+        for i in 0..self.len {
+            let low;
+            [carry, low] = two_sum(carry, self.terms[i]);
+            self.terms[kept] = low;
+            kept += usize::from(low != 0.0);
         }
-        if let Some(free) = self.terms.get_mut(self.len) {
+        if carry != 0.0
+            && let Some(free) = self.terms.get_mut(kept)
+        {
             *free = carry;
-            self.len += 1;
+            kept += 1;
         }
+        self.len = kept;
     }
 
     fn sign(&self) -> f64 {
-        let mut descending = self.terms[..self.len].iter().rev().copied();
-        descending.find(|&t| t != 0.0).unwrap_or(0.0)
+        self.terms[..self.len].last().copied().unwrap_or(0.0)
     }
 }
 

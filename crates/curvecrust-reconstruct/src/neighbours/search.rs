@@ -5,7 +5,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 
 use super::half_plane::{ERROR, HalfPlane};
 use super::lanes::{WIDTH, bits, indices};
-use super::tree::{Leaf, Node, Tree};
+use super::tree::{Leaf, Node, Rect, Tree};
 
 /// Levels of nodes, a power of two: 2^32 points in leaves of 16 have seven.
 const LEVELS: usize = 8;
@@ -46,12 +46,15 @@ struct Query {
 }
 
 impl Query {
-    /// For points within a box of the given squared diagonal.
+    /// For points within a box.
     #[inline(always)]
-    fn new(s: DVec2, plane: Option<HalfPlane>, diagonal_squared: f64) -> Self {
-        let error = 4.0 * ERROR * diagonal_squared;
+    fn new(s: DVec2, plane: Option<HalfPlane>, bounds: Rect) -> Self {
         let (normal, limit) = match &plane {
-            Some(plane) => (plane.normal, plane.threshold + error),
+            Some(plane) => {
+                let products = (bounds.high - bounds.low).dot(plane.normal.abs());
+                let error = 2.0 * ERROR * (products + plane.threshold);
+                (plane.normal, plane.threshold + error)
+            }
             None => (DVec2::ZERO, f64::INFINITY),
         };
         Self {
@@ -171,7 +174,7 @@ impl Tree {
         let Some((top, root)) = self.root() else {
             return best;
         };
-        let query = Query::new(s, plane, root.bounds().diagonal_squared());
+        let query = Query::new(s, plane, root.bounds());
         let mut path = [Visit::default(); LEVELS];
         let mut level = top % LEVELS;
         path[level] = Visit::new(&query, 0, root);

@@ -30,11 +30,6 @@ impl Rect {
             high: self.high + margin,
         }
     }
-
-    #[inline(always)]
-    pub(super) fn diagonal_squared(self) -> f64 {
-        (self.high - self.low).length_squared()
-    }
 }
 
 /// The coordinates of the points of one leaf. NaN, which is neither near nor inside of anything,
