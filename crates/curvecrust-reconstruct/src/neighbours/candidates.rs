@@ -2,7 +2,7 @@
 
 use curvecrust_geometry::DVec2;
 
-use super::half_plane::ERROR;
+use super::half_plane::{ERROR, HalfPlane};
 use super::lanes::indices;
 use super::search::Best;
 use super::tree::{Leaf, Rect};
@@ -127,5 +127,22 @@ impl Candidates {
         } else {
             Best::NONE
         }
+    }
+
+    /// The closest candidate other than `s` in the half-plane, or at all without one; ties and
+    /// signs are decided exactly.
+    #[inline(always)]
+    pub(super) fn search(&self, s: DVec2, plane: Option<&HalfPlane>) -> Best {
+        let len = self.len.min(ROOM);
+        let mut best = Best::NONE;
+        for ((&x, &y), &at) in self.x[..len].iter().zip(&self.y).zip(&self.at) {
+            let point = DVec2::new(x, y);
+            let squared = (point - s).length_squared();
+            let beats = squared > 0.0 && best.is_beaten_by(squared, point);
+            if beats && plane.is_none_or(|plane| plane.contains(point)) {
+                best = Best { squared, point, at };
+            }
+        }
+        best
     }
 }

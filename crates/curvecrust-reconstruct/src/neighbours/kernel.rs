@@ -2,7 +2,10 @@
 //!
 //! One box query around a leaf finds candidates, two passes over them the nearest and the half
 //! neighbours of all of its points. A neighbour is certain if no point outside the box can be
-//! closer, and none inside is equally close; for what is not, the whole tree is searched.
+//! closer, and none inside is equally close. For what is not, candidates are compared one by one,
+//! with ties, and then the whole tree is searched.
+
+use curvecrust_geometry::DVec2;
 
 use super::HalfRule;
 use super::candidates::{Candidates, Closest, LANES, Wanted};
@@ -111,19 +114,28 @@ impl Kernel<'_> {
             let certain = |c: &Closest| c.squared[l] < side * side && c.squared[l] < c.second[l];
             let mut n0 = self.candidates.best(&nearest, l);
             if !certain(&nearest) {
-                n0 = self.tree.closest(s, None, n0);
+                n0 = self.search(s, None, side * side);
             }
             if n0.at == NONE {
                 continue;
             }
             let plane = HalfPlane::new(self.rule, s, n0.point);
             let mut h = self.candidates.best(&half, l);
-            let holds = certain(&nearest) && h.at != NONE && plane.contains(h.point);
-            if !(holds && certain(&half)) {
-                let start = if holds { h } else { Best::NONE };
-                h = self.tree.closest(s, Some(plane), start);
+            if !(certain(&nearest) && certain(&half) && plane.contains(h.point)) {
+                h = self.search(s, Some(plane), side * side);
             }
             *choice = [n0.at, h.at];
+        }
+    }
+
+    /// The closest point, among the candidates if one is closer than all other points.
+    #[inline(always)]
+    fn search(&self, s: DVec2, plane: Option<HalfPlane>, others_squared: f64) -> Best {
+        let best = self.candidates.search(s, plane.as_ref());
+        if best.squared < others_squared {
+            best
+        } else {
+            self.tree.closest(s, plane, best)
         }
     }
 }

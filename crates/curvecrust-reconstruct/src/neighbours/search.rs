@@ -30,7 +30,7 @@ impl Best {
     };
 
     #[inline(always)]
-    fn is_beaten_by(&self, squared: f64, point: DVec2) -> bool {
+    pub(super) fn is_beaten_by(&self, squared: f64, point: DVec2) -> bool {
         squared < self.squared
             || (squared <= self.squared && by_coordinates(point, self.point).is_lt())
     }
