@@ -12,10 +12,20 @@ pub enum Bound {
     Rho(f64),
 }
 
+impl Bound {
+    /// Epsilon or rho.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Epsilon(value) | Self::Rho(value) => value,
+        }
+    }
+}
+
 /// A [`Bound`], and optionally how far the curve may be from the polygon of the samples.
 ///
 /// # Guarantees
-/// The bound lies strictly between 0 and 1; the limit is finite or infinite, and above 0.
+/// The bound lies strictly between 0 and 1, or is a rho of 1; the limit is finite or infinite, and above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
     bound: Bound,
@@ -30,7 +40,7 @@ pub enum ConditionError {
     #[error("epsilon is {0}: it must lie strictly between 0 and 1")]
     Epsilon(f64),
     /// Rho is out of range.
-    #[error("rho is {0}: it must lie strictly between 0 and 1")]
+    #[error("rho is {0}: it must be above 0 and at most 1")]
     Rho(f64),
     /// The Hausdorff limit is not a positive length.
     #[error("the Hausdorff limit is {0}: it must be a length above 0")]
@@ -43,21 +53,22 @@ impl Condition {
     /// # Errors
     /// If epsilon is not strictly between 0 and 1.
     pub fn epsilon(epsilon: f64) -> Result<Self, ConditionError> {
-        let valid = within_unit(epsilon).then_some(Bound::Epsilon(epsilon));
+        let valid = (epsilon > 0.0 && epsilon < 1.0).then_some(Bound::Epsilon(epsilon));
         Ok(Self::of(valid.ok_or(ConditionError::Epsilon(epsilon))?))
     }
 
     /// The rho-sampling condition. HNN-Crust is correct for rho < 0.9 (SGP 2016, Theorem 2).
     ///
     /// # Errors
-    /// If rho is not strictly between 0 and 1.
+    /// If rho is not above 0 and at most 1.
     pub fn rho(rho: f64) -> Result<Self, ConditionError> {
-        let valid = within_unit(rho).then_some(Bound::Rho(rho));
+        let valid = (rho > 0.0 && rho <= 1.0).then_some(Bound::Rho(rho));
         Ok(Self::of(valid.ok_or(ConditionError::Rho(rho))?))
     }
 
-    /// The same condition, and every point of an interval lies nearer than `limit` to the line
-    /// through its two samples. `limit` is a length in the unit of the curve.
+    /// The same condition, and every point of an interval lies nearer than `limit` to the chord of
+    /// its two samples. `limit` is a length in the unit of the curve. The samplers of
+    /// [`greedy`](crate::greedy) take the line through the samples, as the authors' program does.
     ///
     /// # Errors
     /// If the limit is not above 0, or NaN.
@@ -92,17 +103,14 @@ impl Condition {
     }
 }
 
-fn within_unit(value: f64) -> bool {
-    value > 0.0 && value < 1.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn values_out_of_range_are_refused_by_name() {
-        for bad in [0.0, -0.1, 1.0, 1.5, f64::NAN, f64::INFINITY] {
+        assert!(Condition::epsilon(1.0).is_err() && Condition::rho(1.0).is_ok());
+        for bad in [0.0, -0.1, 1.5, f64::NAN, f64::INFINITY] {
             let epsilon = Condition::epsilon(bad).unwrap_err().to_string();
             assert!(
                 epsilon.starts_with(&format!("epsilon is {bad}")),

@@ -6,30 +6,43 @@
 //! | module | what it gives | source |
 //! |---|---|---|
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
-//! | [`greedy`] | [`sample_greedy`]: the farthest next sample; [`sample_as_published`]: the authors' form | Section 8.2 |
+//! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
+//! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
+//! | [`placed`] | [`PlacedSamples`]: samples of any origin, by their places on a curve | |
+//! | [`greedy`] | [`sample_greedy`]: tested at dense points only; [`sample_as_published`]: the authors' form | Section 8.2 |
 //! | [`sampled_curve`] | [`SampledCurve`]: samples in curve order, and the [manifold boundary](SampledCurve::manifold_boundary) | Section 4 |
+//! | [`error`] | [`SamplingError`]: the place, and what to do | |
 //! | [`theory`] | what the bounds imply: angles, sample counts, distances | Lemmas 8 to 10, Theorem 1, Table 1 |
 //!
 //! ```
 //! use curvecrust_curve::Curve;
 //! use curvecrust_medial_axis::{Discretisation, Estimator, measure};
-//! use curvecrust_sampling::{Condition, sample_greedy};
+//! use curvecrust_sampling::{Condition, sample};
 //!
 //! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
 //! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
-//! let sparse = sample_greedy(&measured, Condition::rho(0.9)?);
-//! let dense = sample_greedy(&measured, Condition::epsilon(1.0 / 3.0)?);
+//! let sparse = sample(&measured, Condition::rho(0.9)?)?.samples;
+//! let dense = sample(&measured, Condition::epsilon(1.0 / 3.0)?)?.samples;
 //! assert!(2 * sparse.len() < dense.len());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod certified;
+pub mod check;
 pub mod condition;
+pub mod error;
+mod gaps;
 pub mod greedy;
 mod interval;
+pub mod placed;
 pub mod sampled_curve;
 pub mod theory;
 
+pub use certified::{CertifiedSampling, sample, sample_curve};
+pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
 pub use condition::{Bound, Condition, ConditionError};
+pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use greedy::{sample_as_published, sample_greedy};
+pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};

@@ -1,0 +1,175 @@
+//! Certified sampling: the condition holds at every point of the curve, not only at dense points.
+//!
+//! Greedy, as in SGP 2016, Section 8.2: from each sample on to the farthest dense point up to which the
+//! condition holds, on the whole arc between dense points too. How that is known is told in `gaps.rs`:
+//! lfs is 1-Lipschitz, and the length of an arc is bounded by its chord and lfs. The closing interval
+//! of a closed component and the last one of an open component hold like all others. What remains is the error
+//! of lfs as it was measured, which for the Voronoi estimator falls with the square of the gap.
+//!
+//! Cost: O(n) for n dense points.
+
+use curvecrust_curve::{Curve, DenseComponent};
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+
+use crate::check::{Attained, check};
+use crate::condition::Condition;
+use crate::error::{SAMPLE_LIMIT, SamplingError};
+use crate::gaps::Gaps;
+use crate::placed::PlacedSamples;
+use crate::sampled_curve::{ClosingInterval, SampledCurve};
+
+/// Samples that satisfy a condition at every point of their curve, lfs being as measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CertifiedSampling {
+    /// The samples.
+    pub samples: SampledCurve,
+    /// The condition.
+    pub condition: Condition,
+    /// The largest epsilon, or rho, that they attain, and where: `at_most` is below the bound of the
+    /// condition. `None` for a curve without points.
+    pub attained: Option<Attained>,
+}
+
+/// Samples every component of a curve greedily, from its first dense point, so that the condition holds
+/// at every point of the curve.
+///
+/// Both ends of an open component are samples. The finer the dense points, the fewer samples, up to
+/// about (gap / lfs) / bound of them.
+///
+/// # Errors
+/// [`TooCoarse`](SamplingError::TooCoarse) where dense points are too far apart,
+/// [`TooMany`](SamplingError::TooMany) where a Hausdorff limit is the reason.
+///
+/// ```
+/// use curvecrust_curve::Curve;
+/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+/// use curvecrust_sampling::{Condition, sample};
+///
+/// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
+/// let curve = Curve::from_path_data(d)?;
+/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi)?;
+/// let certified = sample(&measured, Condition::rho(0.9)?)?;
+/// let attained = certified.attained.unwrap();
+/// assert!(0.85 < attained.bound && attained.at_most < 0.9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sample(
+    measured: &Measured,
+    condition: Condition,
+) -> Result<CertifiedSampling, SamplingError> {
+    certified(measured, condition, |gaps, component| {
+        walk(gaps, condition, 0, gaps.len()).map_err(|gap| component.range.start + gap)
+    })
+}
+
+/// The fraction of lfs that gaps are to have at most, whatever the bound.
+const GAP_TO_LFS: f64 = 0.02;
+/// The fraction of the bound that gaps are to be of lfs.
+const GAP_TO_BOUND: f64 = 0.05;
+
+/// Discretises a curve as finely as the condition asks for, and [samples](sample) it.
+///
+/// # Errors
+/// Those of [`measure`], in [`SamplingError::Measure`]; and [`TooMany`](SamplingError::TooMany).
+pub fn sample_curve(
+    curve: &Curve,
+    condition: Condition,
+) -> Result<(Measured, CertifiedSampling), SamplingError> {
+    let mut gap_to_lfs = GAP_TO_LFS.min(GAP_TO_BOUND * condition.bound().value());
+    loop {
+        let discretisation = Discretisation::Adaptive { gap_to_lfs };
+        let measured = measure(curve, discretisation, Estimator::Voronoi)?;
+        match sample(&measured, condition) {
+            Ok(certified) => return Ok((measured, certified)),
+            Err(SamplingError::TooCoarse { .. }) if gap_to_lfs > f64::EPSILON => gap_to_lfs /= 4.0,
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// The sampling of all components, each by the positions of its samples, ascending, or else the dense point
+/// before a gap that is too long.
+pub(crate) fn certified(
+    measured: &Measured,
+    condition: Condition,
+    mut positions: impl FnMut(&Gaps, &DenseComponent) -> Result<Vec<usize>, usize>,
+) -> Result<CertifiedSampling, SamplingError> {
+    let mut samples = SampledCurve::default();
+    for (index, component) in measured.dense().components().iter().enumerate() {
+        let gaps = Gaps::new(measured, component);
+        let positions =
+            positions(&gaps, component).map_err(|gap| too_coarse(measured, condition, gap))?;
+        let indices = positions.iter().map(|at| component.range.start + at);
+        samples.push_component(measured.dense(), indices, component.closed);
+        if component.closed {
+            samples.push_closing(ClosingInterval {
+                component: index,
+                holds: true,
+            });
+        }
+    }
+    let placed = PlacedSamples::of(measured, &samples)?;
+    Ok(CertifiedSampling {
+        attained: check(measured, &placed, condition).worst,
+        samples,
+        condition,
+    })
+}
+
+/// The positions of greedy samples from `start`, over a round or to the end of an open component; or
+/// the position of a gap that is too long.
+pub(crate) fn walk(
+    gaps: &Gaps,
+    condition: Condition,
+    start: usize,
+    length: usize,
+) -> Result<Vec<usize>, usize> {
+    let end = start + length;
+    let mut positions = vec![start];
+    let (mut from, mut guess) = (start, start + 1);
+    while from < end {
+        // Positions below a round, as far as `gaps` is concerned.
+        let round = if from >= gaps.len() { gaps.len() } else { 0 };
+        let to = gaps.farthest(condition, from - round, guess - round, end - round);
+        let to = to.ok_or(from - round)? + round;
+        positions.push(to);
+        guess = to + (to - from);
+        from = to;
+    }
+    if gaps.is_closed() {
+        positions.pop();
+    }
+    Ok(positions)
+}
+
+/// What to say of the gap after a dense point.
+pub(crate) fn too_coarse(measured: &Measured, condition: Condition, index: usize) -> SamplingError {
+    let (dense, lfs) = (measured.dense(), measured.lfs());
+    let next = dense.next(index).unwrap_or(index);
+    let (p, q) = (dense.points()[index], dense.points()[next]);
+    if let Some(limit) = condition.hausdorff_limit() {
+        // At distance g, the curve is g^2 / 8 lfs from the chord.
+        let wanted = |i: usize| {
+            let gap = dense
+                .next(i)
+                .map_or(0.0, |j| dense.points()[i].distance(dense.points()[j]));
+            gap / (8.0 * limit * lfs.at(i)).sqrt()
+        };
+        let count: f64 = (0..dense.len()).map(wanted).sum();
+        if count > SAMPLE_LIMIT as f64 {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "positive, and the cast saturates"
+            )]
+            let count = count as u64;
+            return SamplingError::TooMany { count };
+        }
+    }
+    SamplingError::TooCoarse {
+        index,
+        at: p,
+        gap: p.distance(q),
+        lfs: lfs.at(index).min(lfs.at(next)),
+    }
+}

@@ -1,0 +1,321 @@
+//! Whether a condition holds on the curve between two of its dense points: at every point of it.
+//!
+//! Let p and q be consecutive dense points at distance c, and L the smaller lfs of the two. On the
+//! arc between them the radius of curvature is at least lfs, hence at least r = L - 0.55 c, if the
+//! arc is at most 1.1 c long. By Schur's theorem it is then no longer than 2 r asin(c / 2 r), which
+//! for c < L / 2 is at most c (1 + (c / r)^2 / 16) and below 1.1 c indeed. That the arc is the short one
+//! is what dense means: another arc from p to q would leave the disc about p of radius lfs.
+//! From the length l of an arc follows where it can be: at most sqrt(l^2 - c^2) / 2 from its chord;
+//! and since lfs is 1-Lipschitz, how small lfs can be on it: (lfs(p) + lfs(q) - l) / 2.
+//!
+//! Runs of 2^k gaps carry the same two numbers, so that an interval is decided from few of them. The
+//! distance to a point or to a segment is convex: along the chord of a run it is largest at an end.
+//! Cost: O(n) to build, O(log n) for most questions.
+
+use curvecrust_curve::DenseComponent;
+use curvecrust_geometry::{DVec2, Segment};
+use curvecrust_medial_axis::Measured;
+
+use crate::condition::{Bound, Condition};
+
+/// What rounding could take from any of the lengths that are compared.
+const SAFE: f64 = 1.0 - 1e-9;
+
+/// The gaps between the dense points of one component, by position: that of its first point is 0.
+///
+/// Positions of a closed component go on behind its last point, for a second round.
+#[derive(Debug)]
+pub(crate) struct Gaps<'a> {
+    points: &'a [DVec2],
+    lfs: &'a [f64],
+    closed: bool,
+    /// Level k holds the runs of 2^k gaps that start at multiples of 2^k.
+    levels: Vec<Vec<Run>>,
+}
+
+/// What is known of every point of the curve along one or more gaps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    /// A lower bound of lfs.
+    pub(crate) lfs: f64,
+    /// An upper bound of the distance to the chord of the run.
+    pub(crate) bulge: f64,
+}
+
+impl Run {
+    /// Two runs, one after the other, from `start` over `middle` to `end`.
+    fn joined(self, next: Self, [start, middle, end]: [DVec2; 3]) -> Self {
+        Self {
+            lfs: self.lfs.min(next.lfs),
+            bulge: self.bulge.max(next.bulge) + Segment::new(start, end).distance(middle),
+        }
+    }
+}
+
+/// An upper bound of the length of the curve between dense points at distance `chord`, the smaller
+/// lfs of which is `lfs`; infinite if they are too far apart to tell.
+fn arc_length(chord: f64, lfs: f64) -> f64 {
+    if chord < lfs / 2.0 {
+        let turn = chord / (lfs - 0.55 * chord);
+        chord * (1.0 + turn * turn / 16.0)
+    } else {
+        f64::INFINITY
+    }
+}
+
+impl<'a> Gaps<'a> {
+    pub(crate) fn new(measured: &'a Measured, component: &DenseComponent) -> Self {
+        let DenseComponent { range, closed } = component.clone();
+        let mut gaps = Self {
+            points: &measured.dense().points()[range.clone()],
+            lfs: &measured.lfs().values()[range],
+            closed,
+            levels: Vec::new(),
+        };
+        let mut level: Vec<Run> = (0..gaps.len()).map(|i| gaps.gap(i)).collect();
+        let mut width = 1;
+        while level.len() > 1 {
+            let joined = level.chunks_exact(2).enumerate().map(|(i, pair)| {
+                let start = 2 * i * width;
+                let stops = [start, start + width, start + 2 * width];
+                pair[0].joined(pair[1], stops.map(|at| gaps.point(at)))
+            });
+            let joined = joined.collect();
+            gaps.levels.push(std::mem::replace(&mut level, joined));
+            width *= 2;
+        }
+        gaps.levels.push(level);
+        gaps
+    }
+
+    /// The number of gaps: positions from 0 to this make up the component.
+    pub(crate) fn len(&self) -> usize {
+        self.points.len() - usize::from(!self.closed)
+    }
+
+    pub(crate) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    pub(crate) fn point(&self, at: usize) -> DVec2 {
+        self.points[at % self.points.len()]
+    }
+
+    pub(crate) fn lfs(&self, at: usize) -> f64 {
+        self.lfs[at % self.lfs.len()]
+    }
+
+    /// An upper bound of the length of the curve in the gap after a position.
+    pub(crate) fn arc(&self, at: usize) -> f64 {
+        // Between two points of a closed curve there are two gaps, and no telling which is short.
+        if self.closed && self.points.len() < 3 {
+            return f64::INFINITY;
+        }
+        let chord = self.point(at).distance(self.point(at + 1));
+        arc_length(chord, self.lfs(at).min(self.lfs(at + 1)))
+    }
+
+    /// What is known of the gap after a position.
+    pub(crate) fn gap(&self, at: usize) -> Run {
+        let arc = self.arc(at);
+        if arc == f64::INFINITY {
+            return Run {
+                lfs: f64::NEG_INFINITY,
+                bulge: f64::INFINITY,
+            };
+        }
+        let (before, after) = (self.lfs(at), self.lfs(at + 1));
+        let chord = self.point(at).distance(self.point(at + 1));
+        Run {
+            lfs: before.min(after).min((before + after - arc) / 2.0),
+            bulge: ((arc - chord) * (arc + chord)).max(0.0).sqrt() / 2.0,
+        }
+    }
+
+    /// Whether the condition holds at every point of the curve from one position to a later one, no
+    /// more than a round ahead, when these two are consecutive samples.
+    pub(crate) fn holds(&self, condition: Condition, from: usize, to: usize) -> bool {
+        let interval = Interval {
+            condition,
+            ends: [self.point(from), self.point(to)],
+            reach: match condition.bound() {
+                Bound::Epsilon(_) => 0.0,
+                Bound::Rho(_) => self.least_lfs(from, to),
+            },
+        };
+        self.stretches(from, to)
+            .into_iter()
+            .all(|(start, end)| self.holds_along(&interval, start, end))
+    }
+
+    /// The last position, at most `end`, up to which the condition holds from `from` on; `None` if
+    /// it does not even hold up to the next. Looks near a `guess` first.
+    ///
+    /// With a Hausdorff limit, whether an interval holds may change more than once as it grows: what
+    /// is found then is one that holds, and is the last or does not when it is longer by one.
+    pub(crate) fn farthest(
+        &self,
+        condition: Condition,
+        from: usize,
+        guess: usize,
+        end: usize,
+    ) -> Option<usize> {
+        let holds = |to| self.holds(condition, from, to);
+        let first = from + 1;
+        let guess = guess.min(end).max(first);
+        let mut step = 1;
+        let (mut good, mut bad) = if holds(guess) {
+            let mut good = guess;
+            loop {
+                if good >= end {
+                    return Some(end);
+                }
+                let next = (good + step).min(end);
+                if !holds(next) {
+                    break (good, next);
+                }
+                good = next;
+                step *= 2;
+            }
+        } else {
+            let mut bad = guess;
+            loop {
+                if bad == first {
+                    return None;
+                }
+                let next = bad.saturating_sub(step).max(first);
+                if holds(next) {
+                    break (next, bad);
+                }
+                bad = next;
+                step *= 2;
+            }
+        };
+        while bad - good > 1 {
+            let middle = good.midpoint(bad);
+            if holds(middle) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        Some(good)
+    }
+
+    /// A lower bound of the reach.
+    fn least_lfs(&self, from: usize, to: usize) -> f64 {
+        let mut least = f64::INFINITY;
+        for (mut at, end) in self.stretches(from, to) {
+            while at < end {
+                let level = widest(at, end);
+                least = least.min(self.levels[level][at >> level].lfs);
+                at += 1 << level;
+            }
+        }
+        least
+    }
+
+    fn holds_along(&self, interval: &Interval, start: usize, end: usize) -> bool {
+        let mut at = start;
+        while at < end {
+            let mut level = widest(at, end);
+            loop {
+                let width = 1 << level;
+                let ends = [self.point(at), self.point(at + width)];
+                if interval.holds_on(self.levels[level][at >> level], ends) {
+                    at += width;
+                    break;
+                }
+                if level == 0 {
+                    let lfs = [self.lfs(at), self.lfs(at + 1)];
+                    let run = self.levels[0][at];
+                    if !interval.holds_where_the_nearer_changes(run, ends, lfs, self.arc(at)) {
+                        return false;
+                    }
+                    at += 1;
+                    break;
+                }
+                level -= 1;
+            }
+        }
+        true
+    }
+
+    /// The gaps between two positions, in one round.
+    fn stretches(&self, from: usize, to: usize) -> [(usize, usize); 2] {
+        let len = self.len();
+        if from >= len {
+            [(from - len, to - len), (0, 0)]
+        } else if to > len {
+            [(from, len), (0, to - len)]
+        } else {
+            [(from, to), (0, 0)]
+        }
+    }
+}
+
+/// The level of the widest run that starts at `at` and ends at `end` or before.
+fn widest(at: usize, end: usize) -> usize {
+    at.trailing_zeros().min((end - at).ilog2()) as usize
+}
+
+/// The curve between two consecutive samples, and what is asked of it.
+struct Interval {
+    condition: Condition,
+    ends: [DVec2; 2],
+    reach: f64,
+}
+
+impl Interval {
+    /// Whether the condition holds along a run, if one sample is the nearer one all along it.
+    fn holds_on(&self, run: Run, [start, end]: [DVec2; 2]) -> bool {
+        let allowed =
+            SAFE * match self.condition.bound() {
+                Bound::Epsilon(epsilon) => epsilon * run.lfs,
+                Bound::Rho(rho) => rho * self.reach,
+            } - run.bulge;
+        let squared = allowed * allowed;
+        let near =
+            |s: DVec2| s.distance_squared(start) < squared && s.distance_squared(end) < squared;
+        allowed > 0.0 && (near(self.ends[0]) || near(self.ends[1])) && self.within(run, start, end)
+    }
+
+    /// Whether the condition holds along a gap, whichever sample is nearer to its points: the
+    /// distance to the nearer one grows from either end by no more than the length of the arc.
+    fn holds_where_the_nearer_changes(
+        &self,
+        gap: Run,
+        [start, end]: [DVec2; 2],
+        lfs: [f64; 2],
+        arc: f64,
+    ) -> bool {
+        let nearer = |p: DVec2| p.distance(self.ends[0]).min(p.distance(self.ends[1]));
+        let (before, after) = (nearer(start), nearer(end));
+        let holds = match self.condition.bound() {
+            Bound::Epsilon(epsilon) => {
+                let b = SAFE * epsilon;
+                before < b * lfs[0]
+                    && after < b * lfs[1]
+                    && before + after + arc < b * (lfs[0] + lfs[1] - arc)
+            }
+            Bound::Rho(rho) => {
+                let allowed = SAFE * rho * self.reach;
+                before.max(after).max((before + after + arc) / 2.0) < allowed
+            }
+        };
+        holds && self.within(gap, start, end)
+    }
+
+    /// Whether a run keeps to the Hausdorff limit.
+    fn within(&self, run: Run, start: DVec2, end: DVec2) -> bool {
+        let Some(limit) = self.condition.hausdorff_limit() else {
+            return true;
+        };
+        let chord = Segment::new(self.ends[0], self.ends[1]);
+        let allowed = SAFE * limit - run.bulge;
+        let squared = allowed * allowed;
+        allowed > 0.0
+            && chord.distance_squared(start) < squared
+            && chord.distance_squared(end) < squared
+    }
+}

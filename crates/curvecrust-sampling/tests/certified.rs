@@ -1,0 +1,173 @@
+//! Certified samplings, re-checked by other means at a finer discretisation.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+mod common;
+
+use common::{Random, fixtures, random_closed};
+use curvecrust_curve::{Curve, DenseCurve};
+use curvecrust_geometry::Segment;
+use curvecrust_medial_axis::{
+    Discretisation, Estimator, LocalFeatureSize, Measured, MedialAxis, measure,
+};
+use curvecrust_sampling::{
+    Bound, Condition, SampledCurve, SamplingError, sample, sample_curve, sample_greedy,
+};
+use rayon::prelude::*;
+
+/// How many times finer the checker looks.
+const FINER: u32 = 10;
+
+/// Points of the same curve, ten times as dense and the dense points among them, with their distances
+/// to the same medial axis. How right the axis is, is not the sampler's affair.
+struct Fine {
+    dense: DenseCurve,
+    lfs: LocalFeatureSize,
+}
+
+/// The dense points with lfs by the axis of them all, and the same curve finer.
+fn discretised(curve: &Curve, gap_to_lfs: f64) -> (Measured, Fine) {
+    let discretisation = Discretisation::Adaptive { gap_to_lfs };
+    let measured = measure(curve, discretisation, Estimator::Voronoi).unwrap();
+    let measured = Measured::new(measured.dense().clone(), Estimator::Voronoi).unwrap();
+    let axis = MedialAxis::new(measured.dense()).unwrap();
+    let pieces = vec![FINER; measured.dense().len()];
+    let dense = measured.dense().refined(curve, &pieces).unwrap();
+    let lfs = LocalFeatureSize::new(&dense, &axis);
+    (measured, Fine { dense, lfs })
+}
+
+/// The definitions, point by point. Returns the largest ratio of a length to what it has to be below:
+/// of distance and bound, and of distance to the polygon and limit.
+fn brute_force(fine: &Fine, sampled: &SampledCurve, condition: Condition) -> [f64; 2] {
+    let (points, lfs) = (fine.dense.points(), &fine.lfs);
+    let mut worst = [0.0f64; 2];
+    for (component, samples) in fine.dense.components().iter().zip(sampled.components()) {
+        let range = component.range.clone();
+        let places: Vec<usize> = samples
+            .range
+            .clone()
+            .map(|s| {
+                let param = sampled.params()[s];
+                let found = range.clone().find(|&i| fine.dense.params()[i] == param);
+                found.unwrap()
+            })
+            .collect();
+        let mut ends: Vec<(usize, usize)> = places.windows(2).map(|w| (w[0], w[1])).collect();
+        let (first, last) = (places[0], places[places.len() - 1]);
+        if component.closed {
+            ends.push((last, first + range.len()));
+        } else {
+            assert_eq!((first, last + 1), (range.start, range.end));
+        }
+        for (from, to) in ends {
+            let inside = (from..=to).map(|i| range.start + (i - range.start) % range.len());
+            let reach = inside
+                .clone()
+                .map(|i| lfs.at(i))
+                .fold(f64::INFINITY, f64::min);
+            let [s0, s1] =
+                [from, range.start + (to - range.start) % range.len()].map(|i| points[i]);
+            for i in inside {
+                let nearer = points[i].distance(s0).min(points[i].distance(s1));
+                let allowed = match condition.bound() {
+                    Bound::Epsilon(epsilon) => epsilon * lfs.at(i),
+                    Bound::Rho(rho) => rho * reach,
+                };
+                // For epsilon any sample would do: then this is more than is asked for.
+                worst[0] = worst[0].max(nearer / allowed);
+                if let Some(limit) = condition.hausdorff_limit() {
+                    let off = Segment::new(s0, s1).distance(points[i]);
+                    worst[1] = worst[1].max(off / limit);
+                }
+            }
+        }
+    }
+    worst
+}
+
+fn conditions(extent: f64) -> [Condition; 5] {
+    let (rho, epsilon) = (
+        Condition::rho(0.9).unwrap(),
+        Condition::epsilon(0.47).unwrap(),
+    );
+    [
+        rho,
+        epsilon,
+        Condition::rho(0.3).unwrap(),
+        rho.with_hausdorff_limit(0.003 * extent).unwrap(),
+        epsilon.with_hausdorff_limit(0.01 * extent).unwrap(),
+    ]
+}
+
+/// Samples and re-checks; returns the largest ratio of brute force, and how many more samples than greedy.
+fn recheck(name: &str, curve: &Curve, gap_to_lfs: f64) -> [f64; 2] {
+    let (measured, fine) = discretised(curve, gap_to_lfs);
+    let mut worst = [0.0f64; 2];
+    for condition in conditions(curve.extent()) {
+        let certified = sample(&measured, condition).unwrap();
+        let attained = certified.attained.unwrap();
+        assert!(
+            attained.at_most < condition.bound().value(),
+            "{name} {condition:?} {attained:?}"
+        );
+        let ratios = brute_force(&fine, &certified.samples, condition);
+        assert!(
+            ratios[0].max(ratios[1]) < 1.0,
+            "{name} {condition:?}: {ratios:?}"
+        );
+        let greedy = sample_greedy(&measured, condition).len();
+        let share = certified.samples.len() as f64 / greedy as f64;
+        worst = [worst[0].max(ratios[0]).max(ratios[1]), worst[1].max(share)];
+    }
+    worst
+}
+
+#[test]
+fn fixtures_hold_at_every_point() {
+    fixtures().par_iter().for_each(|(name, curve)| {
+        let gap_to_lfs = if name == "nautilus" { 0.05 } else { 0.02 };
+        let found = recheck(name, curve, gap_to_lfs);
+        eprintln!("{name}: {found:?}");
+    });
+}
+
+#[test]
+fn random_curves_hold_at_every_point() {
+    let mut random = Random::new(20160);
+    let mut curves = Vec::new();
+    let mut refused = 0;
+    while curves.len() < 200 {
+        let curve = random_closed(&mut random);
+        let discretisation = Discretisation::Adaptive { gap_to_lfs: 0.1 };
+        match measure(&curve, discretisation, Estimator::Voronoi) {
+            Ok(_) => curves.push(curve),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(refused < 200, "{refused} curves cross");
+    let worst = curves
+        .par_iter()
+        .enumerate()
+        .map(|(i, curve)| recheck(&format!("curve {i}"), curve, 0.04));
+    let worst = worst.reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+    eprintln!("{worst:?}, {refused} refused");
+}
+
+#[test]
+fn what_cannot_be_certified_is_refused() {
+    let curve = Curve::from_path_data("M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z").unwrap();
+    let coarse = measure(&curve, Discretisation::PerSegment(8), Estimator::Voronoi).unwrap();
+    let rho = Condition::rho(0.9).unwrap();
+    let Err(SamplingError::TooCoarse { gap, lfs, .. }) = sample(&coarse, rho) else {
+        panic!("a gap of half the lfs");
+    };
+    assert!((gap - 0.5).abs() < 1e-6 && lfs < 1.1);
+
+    let limited = |limit| rho.with_hausdorff_limit(limit).unwrap();
+    let (_, certified) = sample_curve(&curve, limited(1e-6)).unwrap();
+    assert!(certified.samples.len() > 1000);
+    let Err(SamplingError::TooMany { count }) = sample_curve(&curve, limited(1e-16)) else {
+        panic!("a limit at the precision of coordinates");
+    };
+    assert!(count > 10_000_000);
+}

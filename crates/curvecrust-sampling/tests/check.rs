@@ -1,0 +1,226 @@
+//! Effective bounds against closed forms, and what a check finds and refuses.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+mod common;
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use common::fixtures;
+use curvecrust_curve::analytic::{Circle, Stadium};
+use curvecrust_curve::{Curve, DenseCurve};
+use curvecrust_geometry::DVec2;
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_sampling::{
+    Condition, PlacedSamples, Placement, SamplingError, check, effective_epsilon, effective_rho,
+    sample, sample_greedy,
+};
+
+fn measured(dense: DenseCurve) -> Measured {
+    Measured::new(dense, Estimator::Voronoi).unwrap()
+}
+
+fn effective(measured: &Measured, points: &[DVec2]) -> [f64; 2] {
+    let placed = PlacedSamples::project(measured, points, 1e-5)
+        .unwrap()
+        .samples;
+    let epsilon = effective_epsilon(measured, &placed).unwrap();
+    let rho = effective_rho(measured, &placed).unwrap();
+    for found in [epsilon, rho] {
+        assert!(found.bound <= found.at_most && found.at_most < found.bound + 1e-2);
+    }
+    [epsilon.bound, rho.bound]
+}
+
+fn assert_near(found: [f64; 2], expected: f64) {
+    for value in found {
+        assert!((value - expected).abs() < 1e-6, "{value} for {expected}");
+    }
+}
+
+#[test]
+fn circles_have_closed_forms() {
+    for radius in [1.0, 7.3] {
+        let circle = measured(Circle::new(radius).unwrap().dense(1500).unwrap());
+        for n in [1u32, 2, 3, 5, 7, 12] {
+            let at = |i: u32| radius * DVec2::from_angle(0.1 + TAU * f64::from(i) / f64::from(n));
+            let samples: Vec<_> = (0..n).map(at).collect();
+            let expected = 2.0 * (PI / f64::from(2 * n)).sin();
+            assert_near(effective(&circle, &samples), expected);
+        }
+    }
+}
+
+#[test]
+fn stadiums_have_closed_forms() {
+    let (length, radius) = (3.0, 1.0);
+    let dense = Stadium::new(length, radius).unwrap().dense(2500).unwrap();
+    let stadium = measured(dense);
+    // Both half circles in k parts, both straight sides in m.
+    for (k, m) in [(3u32, 4u32), (4, 3), (2, 2)] {
+        let mut samples = Vec::new();
+        for side in [1.0, -1.0] {
+            let centre = DVec2::new(side * length / 2.0, 0.0);
+            samples.extend((0..=k).map(|i| {
+                let angle = -FRAC_PI_2 + PI * f64::from(i) / f64::from(k);
+                centre + side * radius * DVec2::from_angle(angle)
+            }));
+            samples.extend((1..m).map(|i| {
+                let x = length * (f64::from(i) / f64::from(m) - 0.5);
+                DVec2::new(x, side * radius)
+            }));
+        }
+        let arc = 2.0 * (PI / f64::from(4 * k)).sin();
+        let straight = length / f64::from(2 * m) / radius;
+        assert_near(effective(&stadium, &samples), arc.max(straight));
+    }
+}
+
+#[test]
+fn samplers_attain_their_bounds() {
+    for (name, curve) in fixtures() {
+        if name == "nautilus" {
+            continue;
+        }
+        let discretisation = Discretisation::Adaptive { gap_to_lfs: 0.02 };
+        let measured = measure(&curve, discretisation, Estimator::Voronoi).unwrap();
+        for b in [0.9, 0.47] {
+            for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
+                let certified = sample(&measured, condition).unwrap();
+                let attained = certified.attained.unwrap().bound;
+                assert!(certified.samples.len() >= 20);
+                assert!(
+                    0.9 * b < attained && attained <= b,
+                    "{name} {condition:?} {attained}"
+                );
+
+                // The other one is certain at dense points only.
+                let greedy = sample_greedy(&measured, condition);
+                let placed = PlacedSamples::of(&measured, &greedy).unwrap();
+                let verdict = check(&measured, &placed, condition);
+                let attained = verdict.worst.unwrap().bound;
+                assert!(
+                    0.9 * b < attained && attained < b + 0.02,
+                    "{name} {condition:?} {attained}"
+                );
+                assert_eq!(verdict.holds(), attained < b);
+            }
+        }
+    }
+}
+
+/// An open arch from (0, 0) to (6, 0).
+fn arch() -> Measured {
+    let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
+    measure(
+        &curve,
+        Discretisation::Adaptive { gap_to_lfs: 0.01 },
+        Estimator::Voronoi,
+    )
+    .unwrap()
+}
+
+#[test]
+fn every_violated_interval_is_listed() {
+    let arch = arch();
+    let rho = Condition::rho(0.3).unwrap();
+    let placed = PlacedSamples::of(&arch, &sample(&arch, rho).unwrap().samples).unwrap();
+    assert!(check(&arch, &placed, rho).certain);
+    let n = placed.placements().len();
+
+    // Without its second and its last sample.
+    let mut fewer = placed.placements().to_vec();
+    fewer.pop();
+    fewer.remove(1);
+    let fewer = PlacedSamples::new(&arch, fewer).unwrap();
+    let verdict = check(&arch, &fewer, rho);
+    let intervals: Vec<_> = verdict
+        .violations
+        .iter()
+        .map(|v| v.interval.samples)
+        .collect();
+    assert_eq!(intervals, [[Some(0), Some(1)], [Some(n - 3), None]]);
+    assert!(!verdict.holds() && !verdict.certain);
+
+    let none = PlacedSamples::new(&arch, Vec::new()).unwrap();
+    let verdict = check(&arch, &none, rho);
+    assert_eq!(verdict.violations[0].interval.samples, [None, None]);
+    assert!(verdict.violations[0].bound.is_infinite());
+
+    let limited = rho.with_hausdorff_limit(1e-3).unwrap();
+    let verdict = check(&arch, &placed, limited);
+    assert_eq!(verdict.violations.len(), n - 1);
+    assert!(
+        verdict
+            .violations
+            .iter()
+            .all(|v| v.bound < 0.3 && v.deviation >= 1e-3)
+    );
+}
+
+#[test]
+fn samples_out_of_place_are_refused() {
+    let arch = arch();
+    let place = |dense, t| Placement {
+        point: arch.dense().points()[dense],
+        dense,
+        t,
+    };
+    let last = arch.dense().len() - 1;
+    let out_of_order = Err(SamplingError::OutOfOrder {
+        index: 2,
+        component: 0,
+    });
+    for second in [place(3, 0.0), place(3, 0.5), place(7, 0.5)] {
+        let samples = vec![place(1, 0.0), place(7, 0.5), second];
+        assert_eq!(PlacedSamples::new(&arch, samples), out_of_order);
+    }
+    for bad in [place(last, 0.5), place(0, 1.0), place(0, f64::NAN)] {
+        let refused = PlacedSamples::new(&arch, vec![bad]);
+        assert!(matches!(
+            refused,
+            Err(SamplingError::NoSuchPlace { index: 0, .. })
+        ));
+    }
+
+    let off = [DVec2::ZERO, DVec2::new(3.0, 3.5)];
+    let refused = PlacedSamples::project(&arch, &off, 0.1).unwrap_err();
+    let SamplingError::OffCurve {
+        index, distance, ..
+    } = refused
+    else {
+        panic!("{refused}");
+    };
+    assert!(index == 1 && (distance - 0.5).abs() < 1e-3);
+    assert!(PlacedSamples::project(&arch, &[DVec2::NAN], 0.1).is_err());
+    assert!(PlacedSamples::project(&arch, &off, f64::NAN).is_err());
+
+    let backwards = [DVec2::new(6.0, 0.0), DVec2::new(3.0, 3.01), DVec2::ZERO];
+    let projected = PlacedSamples::project(&arch, &backwards, 0.1).unwrap();
+    assert_eq!(projected.indices, [2, 1, 0]);
+    assert!((projected.distances[1] - 0.01).abs() < 1e-4);
+}
+
+#[test]
+fn a_closed_curve_may_begin_anywhere_but_once() {
+    let circle = measured(Circle::new(1.0).unwrap().dense(100).unwrap());
+    let place = |dense| Placement {
+        point: circle.dense().points()[dense],
+        dense,
+        t: 0.0,
+    };
+    let begins = |at: [usize; 4]| PlacedSamples::new(&circle, at.map(place).to_vec());
+    let turned = begins([250, 350, 50, 150]).unwrap();
+    let bound = effective_epsilon(&circle, &turned).unwrap().bound;
+    assert!((bound - 2.0 * (PI / 8.0).sin()).abs() < 1e-4);
+    for bad in [
+        [250, 350, 50, 250],
+        [250, 350, 50, 300],
+        [250, 50, 150, 100],
+        [250, 250, 0, 1],
+    ] {
+        assert!(
+            matches!(begins(bad), Err(SamplingError::OutOfOrder { .. })),
+            "{bad:?}"
+        );
+    }
+}

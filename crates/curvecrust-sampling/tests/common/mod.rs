@@ -1,0 +1,134 @@
+//! Curves to test with.
+#![allow(
+    dead_code,
+    unreachable_pub,
+    clippy::unwrap_used,
+    reason = "helpers of several tests"
+)]
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use curvecrust_curve::{Component, CubicBezier, Curve};
+use curvecrust_geometry::DVec2;
+
+/// A small generator of seeded numbers (SplitMix64).
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub fn below(&mut self, n: usize) -> usize {
+        usize::try_from(self.bits() % n as u64).unwrap()
+    }
+}
+
+/// Every curve of the fixtures, with its name.
+pub fn fixtures() -> Vec<(String, Curve)> {
+    let folder = Path::new(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../fixtures/curves"
+    ));
+    let mut found: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| {
+            let path = entry.unwrap().path();
+            let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+            let document = std::fs::read_to_string(path).unwrap();
+            (name, Curve::from_svg(&document).unwrap())
+        })
+        .collect();
+    found.sort_by(|a, b| a.0.cmp(&b.0));
+    assert!(found.len() >= 20);
+    found
+}
+
+/// One to four smooth closed components: Fourier series and chains of Béziers, beside each other and
+/// one inside another. They may cross.
+pub fn random_closed(random: &mut Random) -> Curve {
+    let count = 1 + random.below(4);
+    let components = (0..count).map(|i| {
+        let (centre, size) = if i == 3 {
+            (DVec2::ZERO, 0.3)
+        } else {
+            let at = DVec2::new(2.6 * i as f64, random.between(-0.5, 0.5));
+            (at, random.between(0.5, 1.0))
+        };
+        let segments = if random.below(2) == 0 {
+            fourier(random)
+        } else {
+            chain(random)
+        };
+        let placed = segments
+            .into_iter()
+            .map(|s| CubicBezier::new(s.control_points().map(|p| centre + size * p)));
+        Component::new(placed.collect(), true)
+    });
+    Curve::new(components.collect()).unwrap()
+}
+
+/// A circle with three harmonics of its radius and of its angle, by Hermite interpolation.
+fn fourier(random: &mut Random) -> Vec<CubicBezier> {
+    let waves: Vec<[f64; 3]> = (2..5)
+        .map(|k| {
+            let depth = random.between(0.0, 0.35) / f64::from(k);
+            [f64::from(k), depth, TAU * random.between(0.0, 1.0)]
+        })
+        .collect();
+    let radius = |a: f64| {
+        1.0 + waves
+            .iter()
+            .map(|w| w[1] * (w[0] * a + w[2]).cos())
+            .sum::<f64>()
+    };
+    let slope = |a: f64| {
+        -waves
+            .iter()
+            .map(|w| w[0] * w[1] * (w[0] * a + w[2]).sin())
+            .sum::<f64>()
+    };
+    let pieces = 24;
+    let at = |i: u32| TAU * f64::from(i % pieces) / f64::from(pieces);
+    let point = |i: u32| radius(at(i)) * DVec2::from_angle(at(i));
+    let handle = |i: u32| {
+        let direction = DVec2::from_angle(at(i));
+        let derivative = slope(at(i)) * direction + radius(at(i)) * direction.perp();
+        derivative * (TAU / f64::from(pieces) / 3.0)
+    };
+    let piece = |i: u32| {
+        let (p, q) = (point(i), point(i + 1));
+        CubicBezier::new([p, p + handle(i), q - handle(i + 1), q])
+    };
+    (0..pieces).map(piece).collect()
+}
+
+/// A smooth chain of Béziers through points at random distances from the origin.
+fn chain(random: &mut Random) -> Vec<CubicBezier> {
+    let n = 5 + random.below(6);
+    let radii: Vec<f64> = (0..n).map(|_| random.between(0.45, 1.2)).collect();
+    let at = |i: usize| DVec2::from_angle(TAU * (i % n) as f64 / n as f64) * radii[i % n];
+    let handle = |i: usize| (at(i + 1) - at(i + n - 1)) / 6.0;
+    let piece = |i: usize| {
+        CubicBezier::new([
+            at(i),
+            at(i) + handle(i),
+            at(i + 1) - handle(i + 1),
+            at(i + 1),
+        ])
+    };
+    (0..n).map(piece).collect()
+}
