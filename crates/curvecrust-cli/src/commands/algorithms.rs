@@ -1,0 +1,58 @@
+//! `curvecrust algorithms`: the list of them.
+
+use super::Outcome;
+use crate::{args, output};
+use curvecrust::reconstruct::{ALGORITHMS, AlgorithmInfo, Guarantee};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// One algorithm, as `--json` prints it.
+#[derive(Serialize)]
+struct Entry {
+    name: &'static str,
+    citation: &'static str,
+    guarantees: Vec<String>,
+    cost: &'static str,
+    honours_termini: bool,
+}
+
+pub(crate) fn run(args: &args::Algorithms) -> anyhow::Result<Outcome> {
+    let infos = ALGORITHMS.iter().map(|algorithm| algorithm.info());
+    if args.json {
+        let entries: Vec<Entry> = infos.map(entry).collect();
+        output::print_json(&entries)?;
+    } else {
+        output::to_stdout(|out| infos.into_iter().try_for_each(|info| write(out, info)))?;
+    }
+    Ok(Outcome::Fine)
+}
+
+fn entry(info: AlgorithmInfo) -> Entry {
+    Entry {
+        name: info.name,
+        citation: info.citation,
+        guarantees: info.guarantees.iter().map(Guarantee::to_string).collect(),
+        cost: info.cost,
+        honours_termini: info.honours_termini,
+    }
+}
+
+fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
+    let entry = entry(info);
+    let guarantees = match &entry.guarantees[..] {
+        [] => String::from("no known condition"),
+        some => some.join(" or "),
+    };
+    let termini = if entry.honours_termini {
+        "; takes --terminus"
+    } else {
+        ""
+    };
+    writeln!(out, "{}", entry.name)?;
+    writeln!(out, "    {}", entry.citation)?;
+    writeln!(
+        out,
+        "    correct for closed smooth curves with {guarantees}; {}{termini}",
+        entry.cost
+    )
+}

@@ -1,0 +1,70 @@
+//! `curvecrust reconstruct`: points to curves.
+
+mod polygons;
+mod result;
+mod summary;
+
+use super::Outcome;
+use super::bare_points::BarePoints;
+use crate::args;
+use crate::console::Console;
+use crate::format::Format;
+use crate::output::{self, Layer, Output, Picture};
+use anyhow::anyhow;
+use curvecrust::geometry::{EdgeSet, PointId};
+use curvecrust::reconstruct::{ALGORITHMS, Reconstruction, Reconstructor};
+use result::Found;
+use summary::Summary;
+
+/// The formats of a reconstruction, the one of stdout first.
+const FORMATS: &[Format] = &[Format::Csv, Format::Json, Format::Geojson, Format::Svg];
+
+pub(crate) fn run(args: &args::Reconstruct, console: &Console) -> anyhow::Result<Outcome> {
+    let output = Output::new(&args.output, args.json, FORMATS)?;
+    let algorithm = algorithm(&args.algorithm)?;
+    let bare = BarePoints::read(&args.points, console)?;
+    let termini = args.terminus.iter().map(|&row| bare.point(row));
+    let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
+    let edges = console.during("reconstructing", || {
+        algorithm.reconstruct_open(&bare.points, &termini)
+    })?;
+    let summary = Summary::new(&bare, &edges, &termini);
+    console.during("writing", || write(output.as_ref(), args, &bare, edges))?;
+    console.say(summary);
+    Ok(Outcome::Fine)
+}
+
+/// The algorithm of a name.
+pub(crate) fn algorithm(name: &str) -> anyhow::Result<&'static dyn Reconstructor> {
+    let mut all = ALGORITHMS.iter().copied();
+    all.find(|algorithm| algorithm.info().name == name)
+        .ok_or_else(|| anyhow!("there is no algorithm {name}: see `curvecrust algorithms`"))
+}
+
+fn write(
+    output: Option<&Output>,
+    args: &args::Reconstruct,
+    bare: &BarePoints,
+    edges: EdgeSet,
+) -> anyhow::Result<()> {
+    let found = Found {
+        bare,
+        curves: Reconstruction::new(&bare.points, edges)?,
+    };
+    if let Some(output) = output {
+        match output.format {
+            Format::Csv => output.write(|out| found.write_csv(out))?,
+            Format::Json => output.write_json(&found.object(&args.algorithm))?,
+            Format::Svg => {
+                let points = Layer::Points(bare.points.points().to_vec());
+                let layers = vec![Layer::Edges(found.paths()), points];
+                output.write(|out| Picture { layers }.write(out))?;
+            }
+            _ => output.write_features(&found.features())?,
+        }
+    }
+    if args.json {
+        output::print_json(&found.object(&args.algorithm))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,66 @@
+//! The names of the formats, and how a file's name tells its own.
+
+use clap::ValueEnum;
+use std::path::Path;
+
+/// A format that points or results are read from or written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Table with comma, semicolon or tab between columns
+    Csv,
+    /// Whitespace between x and y, one point a line
+    Text,
+    /// Arrays of [x, y], or the object that --json prints
+    Json,
+    /// GeoJSON (RFC 7946)
+    Geojson,
+    /// Well-known text
+    Wkt,
+    /// Drawing exchange format, of AutoCAD R12
+    Dxf,
+    /// Scalable vector graphics
+    Svg,
+    /// NumPy array
+    Npy,
+}
+
+impl Format {
+    /// The format that files of this name have; `None` for `-` and for names that say nothing.
+    pub(crate) fn of_name(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Some(match extension.as_str() {
+            "csv" | "tsv" => Self::Csv,
+            "xy" | "txt" | "p2d" => Self::Text,
+            "json" => Self::Json,
+            "geojson" => Self::Geojson,
+            "wkt" => Self::Wkt,
+            "dxf" => Self::Dxf,
+            "svg" => Self::Svg,
+            "npy" => Self::Npy,
+            _ => return None,
+        })
+    }
+
+    /// The name by which `--from` and `--to` know it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Text => "text",
+            Self::Json => "json",
+            Self::Geojson => "geojson",
+            Self::Wkt => "wkt",
+            Self::Dxf => "dxf",
+            Self::Svg => "svg",
+            Self::Npy => "npy",
+        }
+    }
+}
+
+/// A list of formats as people read it: `csv, json or svg`.
+pub(crate) fn listed(formats: &[Format]) -> String {
+    let names: Vec<_> = formats.iter().map(|format| format.name()).collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}

@@ -1,0 +1,63 @@
+//! Where data come from: a file, or stdin by the name `-`.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Read};
+use std::path::Path;
+
+/// Bytes at the start of a source that are looked at before they are read.
+const HEAD: usize = 4096;
+/// Read from the system at once.
+const BUFFER: usize = 1 << 16;
+
+/// An opened source, of which the first bytes are known.
+pub(crate) struct Source {
+    head: Vec<u8>,
+    rest: Box<dyn BufRead>,
+}
+
+impl Source {
+    /// Opens it and reads its first bytes; the byte order mark of UTF-8 is left out.
+    pub(crate) fn open(path: &Path) -> io::Result<Self> {
+        let mut rest: Box<dyn BufRead> = if is_stdin(path) {
+            Box::new(io::stdin().lock())
+        } else {
+            Box::new(BufReader::with_capacity(BUFFER, File::open(path)?))
+        };
+        let mut head = Vec::new();
+        rest.by_ref().take(HEAD as u64).read_to_end(&mut head)?;
+        if head.starts_with(b"\xef\xbb\xbf") {
+            head.drain(..3);
+        }
+        Ok(Self { head, rest })
+    }
+
+    /// The first bytes, all there are if they are few.
+    pub(crate) fn head(&self) -> &[u8] {
+        &self.head
+    }
+
+    /// Everything, from the start.
+    pub(crate) fn into_reader(self) -> impl BufRead {
+        Cursor::new(self.head).chain(self.rest)
+    }
+
+    /// Everything at once.
+    pub(crate) fn into_bytes(mut self) -> io::Result<Vec<u8>> {
+        self.rest.read_to_end(&mut self.head)?;
+        Ok(self.head)
+    }
+}
+
+/// Whether a path means stdin.
+pub(crate) fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// How messages call a source.
+pub(crate) fn name(path: &Path) -> String {
+    if is_stdin(path) {
+        String::from("stdin")
+    } else {
+        path.display().to_string()
+    }
+}

@@ -1,0 +1,127 @@
+//! What can be wrong with a file of points: where, and what stood there.
+
+use crate::format::{self, Format};
+use curvecrust::geometry::PointSet;
+use std::fmt;
+use std::io;
+use thiserror::Error;
+
+/// Why a file holds no points that can be used.
+#[derive(Debug, Error)]
+#[error("{file}{}: {}", flaw.place, flaw.problem)]
+pub(crate) struct PointsError {
+    file: String,
+    flaw: Flaw,
+}
+
+impl PointsError {
+    pub(crate) fn new(file: String, flaw: Flaw) -> Self {
+        Self { file, flaw }
+    }
+}
+
+/// A problem and where it is.
+#[derive(Debug)]
+pub(crate) struct Flaw {
+    pub(crate) place: Place,
+    pub(crate) problem: Problem,
+}
+
+/// A place in a file; all are counted from 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// The file as a whole.
+    File,
+    /// A line.
+    Line(u64),
+    /// A line, and in it the first of the characters.
+    Column(u64, usize),
+    /// A line of a table, and one of its columns.
+    Field(u64, usize),
+}
+
+/// What is wrong there.
+#[derive(Debug, Error)]
+pub(crate) enum Problem {
+    #[error("{0}")]
+    Io(io::Error),
+    #[error("there are no points")]
+    NoPoints,
+    #[error("the text is UTF-16: save it as UTF-8")]
+    Utf16,
+    #[error("points cannot be read from {}: use {}", .0.name(), format::listed(super::FORMATS))]
+    Unreadable(Format),
+    #[error("`{0}` is not a number")]
+    NotANumber(String),
+    #[error("`{0}` is not a finite number")]
+    NotFinite(String),
+    #[error(
+        "`{0}` is out of range: scale the points so that every coordinate is zero or between {low:e} \
+         and {high:e} in magnitude",
+        low = PointSet::MIN_MAGNITUDE,
+        high = PointSet::MAX_MAGNITUDE
+    )]
+    Magnitude(String),
+    #[error("a point is x and y, but here is only `{0}`")]
+    Short(String),
+    #[error("a point is x and y, but `{0}` follows")]
+    Long(String),
+    #[error("{found} columns without names: head those of the coordinates x and y")]
+    Unnamed { found: usize },
+    #[error("no column is named {missing}: there are {found}")]
+    NoColumn {
+        missing: &'static str,
+        found: String,
+    },
+    #[error("two columns are named {0}")]
+    TwoColumns(&'static str),
+    #[error("the line has {found} columns, the first has {expected}")]
+    Ragged { found: usize, expected: usize },
+}
+
+impl From<Problem> for Flaw {
+    fn from(problem: Problem) -> Self {
+        problem.at(Place::File)
+    }
+}
+
+impl From<io::Error> for Flaw {
+    fn from(error: io::Error) -> Self {
+        Problem::Io(error).into()
+    }
+}
+
+impl Problem {
+    pub(crate) fn at(self, place: Place) -> Flaw {
+        Flaw {
+            place,
+            problem: self,
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => Ok(()),
+            Self::Line(line) => write!(f, ", line {line}"),
+            Self::Column(line, column) => write!(f, ", line {line}, column {column}"),
+            Self::Field(line, field) => write!(f, ", line {line}, field {field}"),
+        }
+    }
+}
+
+/// What stood in a file, fit for one line of a terminal.
+pub(crate) fn shown(bytes: &[u8]) -> String {
+    const MOST: usize = 40;
+    let text = String::from_utf8_lossy(bytes);
+    let mut shown: String = text
+        .chars()
+        .take(MOST)
+        .flat_map(char::escape_debug)
+        .collect();
+    if text.chars().nth(MOST).is_some() {
+        shown.push_str("...");
+    }
+    shown
+}

@@ -1,0 +1,150 @@
+//! `curvecrust reconstruct` and `curvecrust algorithms`.
+
+use crate::harness::{Folder, fixture, json};
+use serde_json::json;
+
+/// The corners of a rectangle, walked round, and one corner again.
+const RECTANGLE: &str = "0 0\n0 2\n3 2\n3 0\n0 2\n";
+
+#[test]
+fn the_table_of_a_ring() {
+    let folder = Folder::with("ring.csv", "x,y\n0,0\n0,2\n3,2\n3,0\n");
+    let run = folder.run("reconstruct ring.csv");
+    assert_eq!(
+        run.stderr,
+        "4 points, 4 edges: 1 chain, 1 ring, 0 leaves, 0 isolated points, 0 violations\n"
+    );
+    assert_eq!(
+        run.fine(),
+        "chain,kind,nesting,point,x,y\n\
+         0,ring,0,0,0,0\n\
+         0,ring,0,3,3,0\n\
+         0,ring,0,2,3,2\n\
+         0,ring,0,1,0,2\n"
+    );
+}
+
+#[test]
+fn termini_open_a_ring() {
+    let folder = Folder::with("ring.xy", "0 0\n0 2\n3 2\n3 0\n");
+    let run = folder.run("reconstruct ring.xy --terminus 0 --terminus 3");
+    assert_eq!(
+        run.stderr,
+        "4 points, 3 edges: 1 chain, 0 rings, 2 leaves, 0 isolated points, 0 violations\n"
+    );
+    let unknown = folder.run("reconstruct ring.xy --terminus 4").error();
+    assert_eq!(
+        unknown,
+        "error: there is no point 4: there are 4, counted from 0"
+    );
+    let deaf = folder
+        .run("reconstruct ring.xy --terminus 0 --algorithm crust")
+        .error();
+    assert!(
+        deaf.starts_with("error: crust does not honour termini"),
+        "{deaf}"
+    );
+}
+
+#[test]
+fn duplicates_are_refused_or_merged_and_points_keep_their_numbers() {
+    let folder = Folder::with("twice.xy", format!("0 0\n{RECTANGLE}"));
+    let refused = folder.run("reconstruct twice.xy").error();
+    assert_eq!(
+        refused,
+        "error: twice.xy: points 0 and 1 are both (0, 0): remove one, or pass --merge-duplicates"
+    );
+    let run = folder.run("reconstruct twice.xy --merge-duplicates --json");
+    assert!(
+        run.stderr
+            .starts_with("4 points (2 duplicates merged), 4 edges"),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(
+        json(&run.fine()),
+        json!({
+            "algorithm": "hnn-crust",
+            "points": [[0.0, 0.0], [0.0, 0.0], [0.0, 2.0], [3.0, 2.0], [3.0, 0.0], [0.0, 2.0]],
+            "edges": [[0, 2], [0, 4], [2, 3], [3, 4]],
+            "rings": [{ "points": [0, 4, 3, 2], "nesting": 0 }],
+            "open_chains": [],
+            "leaves": [],
+            "isolated": [],
+            "junctions": [],
+            "duplicates": [
+                { "point": 1, "same_as": 0 },
+                { "point": 5, "same_as": 2 },
+            ],
+        })
+    );
+}
+
+#[test]
+fn one_point_is_isolated() {
+    let run = Folder::new().pipe("reconstruct -", "1.5 2\n");
+    assert_eq!(
+        run.stderr,
+        "1 point, 0 edges: 0 chains, 0 rings, 0 leaves, 1 isolated point, 1 violation\n"
+    );
+    assert_eq!(
+        run.fine(),
+        "chain,kind,nesting,point,x,y\n,isolated,,0,1.5,2\n"
+    );
+}
+
+#[test]
+fn the_content_tells_the_format_where_no_name_does() {
+    let folder = Folder::new();
+    let tables = [
+        "0 0\n1 0\n",
+        "0,0\n1,0\n",
+        "x;y\n0;0\n1;0\n",
+        "name\ty\tx\na\t0\t0\nb\t0\t1\n",
+    ];
+    for table in tables {
+        let found = folder.pipe("reconstruct - --quiet", table).fine();
+        assert!(
+            found.ends_with("0,open,,0,0,0\n0,open,,1,1,0\n"),
+            "{table}: {found}"
+        );
+    }
+    folder.write("points", "0 0\n1 0\n");
+    folder.run("reconstruct points").fine();
+}
+
+#[test]
+fn every_algorithm_is_listed_and_runs() {
+    let folder = Folder::new();
+    let points = fixture("points/open-and-closed.xy");
+    let listed = json(&folder.run("algorithms --json").fine());
+    let text = folder.run("algorithms").fine();
+    for entry in listed.as_array().unwrap() {
+        let name = entry["name"].as_str().unwrap();
+        assert!(text.contains(&format!("{name}\n")), "{text}");
+        let line = format!(
+            "reconstruct {} --json -q --algorithm {name}",
+            points.display()
+        );
+        let found = json(&folder.run(&line).fine());
+        assert_eq!(found["algorithm"], name);
+        assert!(!found["edges"].as_array().unwrap().is_empty());
+    }
+}
+
+#[test]
+fn neither_threads_nor_runs_show() {
+    let folder = Folder::new();
+    let points = fixture("points/sharp-angles.xy");
+    for format in ["csv", "json", "geojson", "svg"] {
+        let with = |threads: u32| {
+            let points = points.display();
+            folder
+                .run(&format!(
+                    "reconstruct {points} --to {format} --threads {threads}"
+                ))
+                .fine()
+        };
+        assert_eq!(with(1), with(2));
+    }
+}

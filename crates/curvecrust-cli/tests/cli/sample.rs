@@ -1,0 +1,126 @@
+//! `curvecrust sample` and `curvecrust lfs`.
+
+use crate::harness::{Folder, fixture, json};
+use std::fmt::Write;
+
+const CIRCLE: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">
+<path d="M 3 2 A 1 1 0 0 1 1 2 A 1 1 0 0 1 3 2 Z"/></svg>"#;
+
+#[test]
+fn samples_of_a_drawing_shuffled_are_found_again() {
+    let folder = Folder::new();
+    let curve = fixture("curves/teaser.svg");
+    let line = format!("sample {} --rho 0.9 -o samples.csv", curve.display());
+    folder.run(&line).fine();
+    let table = folder.read("samples.csv");
+    let (header, rows) = table.split_once('\n').unwrap();
+    let mut rows: Vec<&str> = rows.lines().collect();
+    let count = rows.len();
+    rows.sort_by_key(|row| row.bytes().rev().collect::<Vec<_>>());
+    folder.write("shuffled.csv", format!("{header}\n{}\n", rows.join("\n")));
+    let run = folder.run("reconstruct shuffled.csv -o found.json");
+    assert!(
+        run.stderr
+            .contains("1 ring, 0 leaves, 0 isolated points, 0 violations"),
+        "{}",
+        run.stderr
+    );
+    let found = json(&folder.read("found.json"));
+    assert_eq!(found["edges"].as_array().unwrap().len(), count);
+}
+
+#[test]
+fn a_circle_takes_as_many_samples_as_the_theory_says() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    let found = json(&folder.run("sample circle.svg --rho 0.9 --json").fine());
+    // Consecutive samples are at most 4 asin(rho / 2) apart, as seen from the centre.
+    assert_eq!(found["count"], 4);
+    assert_eq!(found["condition"], "rho");
+    assert_eq!(found["bound"], 0.9);
+    assert_eq!(found["components"][0]["end"], 4);
+    let hausdorff = found["hausdorff"]["upper"].as_f64().unwrap();
+    assert!(hausdorff > 0.2 && hausdorff < 0.45, "{hausdorff}");
+
+    let near = json(
+        &folder
+            .run("sample circle.svg --rho 0.9 --max-distance 1% --json")
+            .fine(),
+    );
+    let length = json(
+        &folder
+            .run("sample circle.svg --rho 0.9 --max-distance 0.02 --json")
+            .fine(),
+    );
+    assert_eq!(near["samples"], length["samples"]);
+    assert!(near["hausdorff"]["upper"].as_f64().unwrap() < 0.0201);
+}
+
+#[test]
+fn every_format_holds_the_same_samples() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    let sample = |to: &str| {
+        folder
+            .run(&format!("sample circle.svg --epsilon 0.3 --to {to}"))
+            .fine()
+    };
+    let object = json(&sample("json"));
+    let samples = object["samples"].as_array().unwrap();
+    let mut text = String::new();
+    for p in samples {
+        let (x, y) = (p[0].as_f64().unwrap(), p[1].as_f64().unwrap());
+        writeln!(text, "{x} {y}").unwrap();
+    }
+    assert_eq!(sample("text"), text);
+    assert_eq!(
+        sample("csv").replace("0,", "").replace(',', " "),
+        format!("curve x y\n{text}").replace("0,", "")
+    );
+    assert_eq!(
+        json(&sample("geojson"))["features"][0]["geometry"]["coordinates"],
+        object["samples"]
+    );
+}
+
+#[test]
+fn a_condition_is_asked_for() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    for (line, says) in [
+        ("sample circle.svg", "--rho <RHO>"),
+        (
+            "sample circle.svg --rho 0.9 --epsilon 0.4",
+            "cannot be used with",
+        ),
+        (
+            "sample circle.svg --rho 1.5",
+            "rho is 1.5: it must lie strictly between 0 and 1",
+        ),
+        (
+            "sample circle.svg --rho 0.9 --max-distance 0%",
+            "give a length above 0",
+        ),
+    ] {
+        let run = folder.run(line);
+        assert_eq!(run.status, Some(2));
+        assert!(run.stderr.contains(says), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn lfs_of_a_circle_is_its_radius() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    let table = folder.run("lfs circle.svg").fine();
+    let mut rows = table.lines();
+    assert_eq!(rows.next(), Some("curve,x,y,lfs"));
+    let mut count = 0;
+    for row in rows {
+        let lfs: f64 = row.rsplit(',').next().unwrap().parse().unwrap();
+        assert!((lfs - 1.0).abs() < 1e-3, "{row}");
+        count += 1;
+    }
+    let object = json(&folder.run("lfs circle.svg --json --quiet").fine());
+    assert_eq!(
+        object["components"][0]["lfs"].as_array().unwrap().len(),
+        count
+    );
+    assert_eq!(object["components"][0]["closed"], true);
+}
