@@ -22,8 +22,8 @@ const PER_CURVE: usize = 250;
 /// `count` points of wavy closed curves that do not touch, in random order.
 ///
 /// The curves lie in the cells of a square grid, 250 points on each, 0.7 to 1.3 times the even
-/// spacing apart in angle. The spacing is a 50th of the distance between curves: HNN-Crust, NN-Crust
-/// and Crust return the planted edges.
+/// spacing apart in angle. The spacing is a tenth of the distance between curves at most: HNN-Crust,
+/// NN-Crust and Crust return the planted edges.
 ///
 /// # Errors
 /// Too many points for a [`PointSet`].
@@ -95,7 +95,7 @@ fn in_cells(
 ) -> Result<Planted, PointSetError> {
     let mut random = Random::new(seed);
     let curves = (count / PER_CURVE).max(1);
-    let side = (curves as f64).sqrt().ceil() as usize;
+    let side = (curves - 1).isqrt() + 1;
     let mut points = Vec::with_capacity(count);
     let mut sizes = Vec::with_capacity(curves);
     for curve in 0..curves {

@@ -1,4 +1,11 @@
-//! Inputs and peers that the benchmarks share.
+//! What the benchmarks share: inputs with known answers, the peers, and the table of medians.
+//!
+//! `cargo bench -p curvecrust-benches` measures stage by stage with criterion; the program
+//! `summary` runs all comparisons interleaved and prints ratios beside the goals.
 
+pub mod comparison;
 pub mod generators;
+pub mod machine;
+pub mod peers;
 pub mod random;
+pub mod stages;

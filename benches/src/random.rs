@@ -35,7 +35,7 @@ impl Random {
         reason = "the high word of the product is below the count"
     )]
     pub fn below(&mut self, count: usize) -> usize {
-        (u128::from(self.bits()) * count as u128 >> 64) as usize
+        ((u128::from(self.bits()) * count as u128) >> 64) as usize
     }
 
     /// Brings the items into a random order.

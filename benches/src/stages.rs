@@ -1,0 +1,281 @@
+//! What is compared with what, and on which input.
+
+use curvecrust_geometry::{EdgeSet, PointSet, PointSetError};
+use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
+use curvecrust_reconstruct::{crust, hnn_crust, nn_crust};
+use curvecrust_voronoi::Delaunay;
+
+use crate::comparison::{Goal, Row, Task, medians, per_element};
+use crate::generators::{many_curves, mixed_scale, one_curve, uniform};
+use crate::machine::growth;
+use crate::peers;
+
+/// The numbers of points, and of rounds of which the median is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    /// Few points.
+    pub small: usize,
+    /// The size of the Delaunay comparisons on one curve.
+    pub medium: usize,
+    /// Many points: the size of most comparisons.
+    pub large: usize,
+    /// As many as the growth is measured to.
+    pub huge: usize,
+    /// Rounds.
+    pub rounds: usize,
+}
+
+impl Sizes {
+    /// 10^4 to 10^7 points.
+    pub const FULL: Self = Self {
+        small: 10_000,
+        medium: 100_000,
+        large: 1_000_000,
+        huge: 10_000_000,
+        rounds: 9,
+    };
+    /// A tenth of that, to see that all runs.
+    pub const QUICK: Self = Self {
+        small: 1_000,
+        medium: 10_000,
+        large: 100_000,
+        huge: 1_000_000,
+        rounds: 3,
+    };
+}
+
+/// Whether the kernel chooses its instructions at run time.
+const DISPATCH: &str = if cfg!(feature = "simd") {
+    ""
+} else {
+    ", dispatch off"
+};
+
+/// HNN-Crust against kiddo, on one thread.
+///
+/// # Errors
+/// None for these sizes.
+///
+/// # Panics
+/// If the edges are not those of the same algorithm on kiddo, on planted curves those planted.
+pub fn against_kiddo(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
+    let goal = |with: f64| Goal::AtMost(if cfg!(feature = "simd") { with } else { 0.40 });
+    let many = many_curves(sizes.large, 1)?;
+    let few = many_curves(sizes.small, 1)?;
+    let mixed = mixed_scale(sizes.large, 1)?;
+    let one = one_curve(sizes.large)?;
+    let inputs: [(&str, PointSet, Option<EdgeSet>, Goal); 5] = [
+        ("many-curves", many.points, Some(many.edges), goal(0.25)),
+        ("many-curves", few.points, Some(few.edges), goal(0.55)),
+        ("mixed-scale", mixed.points, Some(mixed.edges), goal(0.30)),
+        ("uniform", uniform(sizes.large, 1)?, None, goal(0.50)),
+        ("one-curve", one.points, Some(one.edges), Goal::None),
+    ];
+    let mut rows = Vec::new();
+    for (name, points, planted, goal) in inputs {
+        let edges = hnn_crust(&points);
+        assert_eq!(edges, peers::kiddo_hnn_crust(&points), "{name}");
+        assert!(planted.is_none_or(|planted| planted == edges), "{name}");
+        rows.push(one_against_kiddo(name, &points, goal, sizes.rounds));
+    }
+    Ok(rows)
+}
+
+fn one_against_kiddo(name: &str, points: &PointSet, goal: Goal, rounds: usize) -> Row {
+    let arrays = peers::arrays(points);
+    let tasks = vec![
+        Task::new("hnn-crust", || hnn_crust(points)),
+        Task::new("kiddo", || peers::kiddo_nearest_three(&arrays)),
+        Task::new("kiddo's hnn-crust", || peers::kiddo_hnn_crust(points)),
+    ];
+    let times = medians(tasks, rounds);
+    let [ours, three, theirs] = [0, 1, 2].map(|i| per_element(times[i], points.len()));
+    Row {
+        what: format!(
+            "HNN-Crust / kiddo's build + nearest 3, {name} {}{DISPATCH}",
+            points.len()
+        ),
+        measured: format!("{ours} / {three} a point (its full HNN-Crust: {theirs})"),
+        figure: times[0] / times[1],
+        goal,
+    }
+}
+
+/// HNN-Crust against sorting, NN-Crust and rstar, and its growth in time and memory; one thread.
+///
+/// # Errors
+/// None for these sizes.
+pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
+    let points = many_curves(sizes.large, 1)?.points;
+    let few = many_curves(sizes.medium, 1)?.points;
+    let keys = peers::keys(sizes.large);
+    let tasks = vec![
+        Task::new("hnn-crust", || hnn_crust(&points)),
+        Task::new("sort", || peers::sorted(&keys)),
+        Task::new("nn-crust", || nn_crust(&points)),
+        Task::new("neighbours", || neighbours(&points, HalfRule::Bisector)),
+        Task::new("hnn-crust of few", || hnn_crust(&few)),
+        Task::new("rstar of few", || peers::rstar_hnn_crust(&few)),
+    ];
+    let times = medians(tasks, sizes.rounds);
+    let [ours, sort, nn, list] = [0, 1, 2, 3].map(|i| per_element(times[i], points.len()));
+    let [of_few, rstar] = [4, 5].map(|i| per_element(times[i], few.len()));
+    let count = points.len();
+    let row = |what: String, measured, figure, goal| Row {
+        what: what + DISPATCH,
+        measured,
+        figure,
+        goal,
+    };
+    let on_dispatch = |goal| {
+        if cfg!(feature = "simd") {
+            goal
+        } else {
+            Goal::None
+        }
+    };
+    Ok(vec![
+        row(
+            format!("HNN-Crust / sort_unstable of as many u64, many-curves {count}"),
+            format!("{ours} / {sort} a point"),
+            times[0] / times[1],
+            on_dispatch(Goal::AtMost(6.0)),
+        ),
+        row(
+            format!("NN-Crust / HNN-Crust, many-curves {count}"),
+            format!("{nn} / {ours} a point (neighbours alone: {list})"),
+            times[2] / times[0],
+            Goal::AtMost(1.15),
+        ),
+        row(
+            format!("HNN-Crust / the same on rstar, many-curves {}", few.len()),
+            format!("{of_few} / {rstar} a point"),
+            times[4] / times[5],
+            Goal::None,
+        ),
+    ])
+}
+
+/// The growth of HNN-Crust in time, as an exponent, and in memory, in bytes a point; one thread.
+///
+/// # Errors
+/// None for these sizes.
+pub fn growth_of_hnn(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
+    let [few, most] = [sizes.medium, sizes.huge];
+    let inputs = [many_curves(few, 1)?.points, many_curves(most, 1)?.points];
+    let memory = growth(|| hnn_crust(&inputs[1]));
+    let tasks = inputs
+        .iter()
+        .map(|p| Task::new("hnn-crust", || hnn_crust(p)));
+    let times = medians(tasks.collect(), sizes.rounds.div_ceil(2));
+    let exponent = (times[1] / times[0]).ln() / (most as f64 / few as f64).ln();
+    let mut rows = vec![Row {
+        what: format!("growth of HNN-Crust, many-curves {few} to {most}, exponent{DISPATCH}"),
+        measured: [(0, few), (1, most)]
+            .map(|(i, n)| per_element(times[i], n))
+            .join(", "),
+        figure: exponent,
+        goal: Goal::AtMost(1.10),
+    }];
+    rows.extend(memory.map(|bytes| Row {
+        what: format!("memory of HNN-Crust beyond its input, B a point, many-curves {most}"),
+        measured: format!("{} MB at the peak", bytes / 1_000_000),
+        figure: bytes as f64 / most as f64,
+        goal: Goal::AtMost(48.0),
+    }));
+    Ok(rows)
+}
+
+/// HNN-Crust on a pool of one thread against one of two; to be called outside of any pool.
+///
+/// # Errors
+/// None for these sizes.
+pub fn two_threads(
+    sizes: Sizes,
+    pools: &[rayon::ThreadPool; 2],
+) -> Result<Vec<Row>, PointSetError> {
+    let points = many_curves(sizes.large, 1)?.points;
+    let task = |pool: &'_ rayon::ThreadPool| pool.install(|| hnn_crust(&points));
+    let [one, two] = pools;
+    let tasks = vec![
+        Task::new("one thread", || task(one)),
+        Task::new("two threads", || task(two)),
+    ];
+    let times = medians(tasks, sizes.rounds);
+    let [first, second] = [0, 1].map(|i| per_element(times[i], points.len()));
+    Ok(vec![Row {
+        what: format!(
+            "two threads, HNN-Crust, many-curves {}, faster",
+            points.len()
+        ),
+        measured: format!("{first} / {second} a point"),
+        figure: times[0] / times[1],
+        goal: Goal::AtLeast(1.6),
+    }])
+}
+
+/// The Delaunay triangulation against delaunator and across inputs, and Crust against it.
+///
+/// # Errors
+/// None for these sizes.
+///
+/// # Panics
+/// If the numbers of triangles differ, or Crust does not return the planted edges.
+pub fn delaunay(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
+    let planted = many_curves(sizes.medium, 1)?;
+    let many = planted.points;
+    let one = one_curve(sizes.medium)?.points;
+    let large = many_curves(sizes.large, 1)?.points;
+    let theirs = peers::delaunator_points(&large);
+    assert_eq!(crust(&many), planted.edges);
+    let tasks = vec![
+        Task::new("many curves", || Delaunay::new(&many)),
+        Task::new("one curve", || Delaunay::new(&one)),
+    ];
+    let inputs = medians(tasks, sizes.rounds);
+    let crusts = medians(
+        vec![
+            Task::new("crust", || crust(&many)),
+            Task::new("delaunay", || Delaunay::new(&many)),
+        ],
+        sizes.rounds,
+    );
+    let peers = medians(
+        vec![
+            Task::new("delaunay", || Delaunay::new(&large)),
+            Task::new("delaunator", || peers::delaunator_triangles(&theirs)),
+        ],
+        sizes.rounds.div_ceil(3),
+    );
+    let row = |what: String, [a, b]: [f64; 2], count: usize, goal| Row {
+        what,
+        measured: format!(
+            "{} / {} a point",
+            per_element(a, count),
+            per_element(b, count)
+        ),
+        figure: a / b,
+        goal: Goal::AtMost(goal),
+    };
+    let [medium, many] = [sizes.medium, sizes.large];
+    Ok(vec![
+        row(
+            format!("Delaunay of one-curve / of many-curves, {medium}"),
+            [inputs[1], inputs[0]],
+            medium,
+            1.5,
+        ),
+        row(
+            format!("Crust / Delaunay, many-curves {medium}"),
+            [crusts[0], crusts[1]],
+            medium,
+            1.8,
+        ),
+        row(
+            format!("Delaunay / delaunator, many-curves {many}"),
+            [peers[0], peers[1]],
+            many,
+            0.40,
+        ),
+    ])
+}
