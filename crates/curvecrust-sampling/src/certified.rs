@@ -8,10 +8,10 @@
 //!
 //! Cost: O(n) for n dense points.
 
-use curvecrust_curve::{Curve, DenseComponent};
+use curvecrust_curve::Curve;
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 
-use crate::check::{Attained, check};
+use crate::check::{Attained, verdict};
 use crate::condition::Condition;
 use crate::error::{SAMPLE_LIMIT, SamplingError};
 use crate::gaps::Gaps;
@@ -34,7 +34,7 @@ pub struct CertifiedSampling {
 /// at every point of the curve.
 ///
 /// Both ends of an open component are samples. The finer the dense points, the fewer samples, up to
-/// about (gap / lfs) / bound of them.
+/// about (gap / lfs) / bound of them; [`sample_fewest`](crate::sample_fewest) looks for a better start.
 ///
 /// # Errors
 /// [`TooCoarse`](SamplingError::TooCoarse) where dense points are too far apart,
@@ -57,9 +57,7 @@ pub fn sample(
     measured: &Measured,
     condition: Condition,
 ) -> Result<CertifiedSampling, SamplingError> {
-    certified(measured, condition, |gaps, component| {
-        walk(gaps, condition, 0, gaps.len()).map_err(|gap| component.range.start + gap)
-    })
+    certified(measured, condition, |gaps| walk(gaps, condition, 0))
 }
 
 /// The fraction of lfs that gaps are to have at most, whatever the bound.
@@ -87,30 +85,30 @@ pub fn sample_curve(
     }
 }
 
-/// The sampling of all components, each by the positions of its samples, ascending, or else the dense point
-/// before a gap that is too long.
+/// The sampling of all components, each by the positions of its samples, ascending, or else by the position of
+/// a gap that is too long.
 pub(crate) fn certified(
     measured: &Measured,
     condition: Condition,
-    mut positions: impl FnMut(&Gaps, &DenseComponent) -> Result<Vec<usize>, usize>,
+    mut positions: impl FnMut(&Gaps) -> Result<Vec<usize>, usize>,
 ) -> Result<CertifiedSampling, SamplingError> {
+    let all = Gaps::of(measured);
     let mut samples = SampledCurve::default();
-    for (index, component) in measured.dense().components().iter().enumerate() {
-        let gaps = Gaps::new(measured, component);
-        let positions =
-            positions(&gaps, component).map_err(|gap| too_coarse(measured, condition, gap))?;
-        let indices = positions.iter().map(|at| component.range.start + at);
-        samples.push_component(measured.dense(), indices, component.closed);
-        if component.closed {
+    for (component, gaps) in all.iter().enumerate() {
+        let positions = positions(gaps)
+            .map_err(|gap| too_coarse(measured, condition, gaps.range.start + gap))?;
+        let indices = positions.iter().map(|at| gaps.range.start + at);
+        samples.push_component(measured.dense(), indices, gaps.closed);
+        if gaps.closed {
             samples.push_closing(ClosingInterval {
-                component: index,
+                component,
                 holds: true,
             });
         }
     }
     let placed = PlacedSamples::of(measured, &samples)?;
     Ok(CertifiedSampling {
-        attained: check(measured, &placed, condition).worst,
+        attained: verdict(&all, &placed, condition).worst,
         samples,
         condition,
     })
@@ -118,13 +116,8 @@ pub(crate) fn certified(
 
 /// The positions of greedy samples from `start`, over a round or to the end of an open component; or
 /// the position of a gap that is too long.
-pub(crate) fn walk(
-    gaps: &Gaps,
-    condition: Condition,
-    start: usize,
-    length: usize,
-) -> Result<Vec<usize>, usize> {
-    let end = start + length;
+pub(crate) fn walk(gaps: &Gaps, condition: Condition, start: usize) -> Result<Vec<usize>, usize> {
+    let end = start + gaps.len();
     let mut positions = vec![start];
     let (mut from, mut guess) = (start, start + 1);
     while from < end {
@@ -136,7 +129,7 @@ pub(crate) fn walk(
         guess = to + (to - from);
         from = to;
     }
-    if gaps.is_closed() {
+    if gaps.closed {
         positions.pop();
     }
     Ok(positions)

@@ -90,20 +90,28 @@ impl Verdict {
 /// ```
 #[must_use]
 pub fn effective_epsilon(measured: &Measured, samples: &PlacedSamples) -> Option<Attained> {
-    worst(&intervals(measured, samples, Kind::Epsilon))
+    worst(&intervals(
+        &Gaps::of(measured),
+        samples,
+        Bound::Epsilon(1.0),
+    ))
 }
 
 /// The smallest rho for which samples are a rho-sample, with the interval that asks for it; `None` for
 /// a curve without points.
 #[must_use]
 pub fn effective_rho(measured: &Measured, samples: &PlacedSamples) -> Option<Attained> {
-    worst(&intervals(measured, samples, Kind::Rho))
+    worst(&intervals(&Gaps::of(measured), samples, Bound::Rho(1.0)))
 }
 
 /// Whether samples satisfy a condition, and every interval on which they do not.
 #[must_use]
 pub fn check(measured: &Measured, samples: &PlacedSamples, condition: Condition) -> Verdict {
-    let found = intervals(measured, samples, condition.bound().into());
+    verdict(&Gaps::of(measured), samples, condition)
+}
+
+pub(crate) fn verdict(all: &[Gaps], samples: &PlacedSamples, condition: Condition) -> Verdict {
+    let found = intervals(all, samples, condition.bound());
     let bound = condition.bound().value();
     let limit = condition.hausdorff_limit().unwrap_or(f64::INFINITY);
     let limited = condition.hausdorff_limit().is_some();
@@ -119,21 +127,6 @@ pub fn check(measured: &Measured, samples: &PlacedSamples, condition: Condition)
     }
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Epsilon,
-    Rho,
-}
-
-impl From<Bound> for Kind {
-    fn from(bound: Bound) -> Self {
-        match bound {
-            Bound::Epsilon(_) => Self::Epsilon,
-            Bound::Rho(_) => Self::Rho,
-        }
-    }
-}
-
 /// The first of the intervals with the largest bound.
 fn worst(found: &[Attained]) -> Option<Attained> {
     let larger = |a: Attained, b: &Attained| if b.bound > a.bound { *b } else { a };
@@ -141,15 +134,14 @@ fn worst(found: &[Attained]) -> Option<Attained> {
     Some(rest.iter().fold(*first, larger))
 }
 
-/// What samples attain on each interval, in the order of the curve.
-fn intervals(measured: &Measured, samples: &PlacedSamples, kind: Kind) -> Vec<Attained> {
+/// What samples attain on each interval, in the order of the curve; the value of the bound does not matter.
+fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained> {
     let mut found = Vec::with_capacity(samples.placements().len() + 1);
-    for (index, component) in measured.dense().components().iter().enumerate() {
-        let gaps = Gaps::new(measured, component);
+    for (index, gaps) in all.iter().enumerate() {
         let range = samples.components().get(index).cloned().unwrap_or(0..0);
         let place = |sample: usize| {
             let place = samples.placements()[sample];
-            (place.dense - component.range.start, place.t)
+            (place.dense - gaps.range.start, place.t)
         };
         let point = |sample: Option<usize>| sample.map(|i| samples.placements()[i].point);
         let mut measure = |samples: [Option<usize>; 2], from, to| {
@@ -157,9 +149,9 @@ fn intervals(measured: &Measured, samples: &PlacedSamples, kind: Kind) -> Vec<At
                 component: index,
                 samples,
             };
-            let walk = Walk::new(&gaps, kind, samples.map(point));
+            let walk = Walk::new(gaps, kind, samples.map(point));
             let mut attained = walk.attained(interval, from, to);
-            attained.dense = component.range.start + attained.dense % component.range.len();
+            attained.dense = gaps.range.start + attained.dense % gaps.range.len();
             found.push(attained);
         };
         let end = (gaps.len(), 0.0);
@@ -167,7 +159,7 @@ fn intervals(measured: &Measured, samples: &PlacedSamples, kind: Kind) -> Vec<At
             measure([None; 2], (0, 0.0), end);
             continue;
         };
-        if !component.closed && place(first) > (0, 0.0) {
+        if !gaps.closed && place(first) > (0, 0.0) {
             measure([None, Some(first)], (0, 0.0), place(first));
         }
         for (before, after) in range.clone().zip(range.skip(1)) {
@@ -178,7 +170,7 @@ fn intervals(measured: &Measured, samples: &PlacedSamples, kind: Kind) -> Vec<At
                 beyond(from, to, gaps.len()),
             );
         }
-        if component.closed {
+        if gaps.closed {
             let (from, to) = (place(last), place(first));
             measure(
                 [Some(last), Some(first)],
@@ -229,7 +221,7 @@ impl Stop {
 /// The walk along an interval that finds the worst of its points.
 struct Walk<'a> {
     gaps: &'a Gaps<'a>,
-    kind: Kind,
+    kind: Bound,
     ends: [Option<DVec2>; 2],
     chord: Option<Segment>,
     /// The worst so far, with the position it is at: by ratio for epsilon, by distance for rho.
@@ -242,7 +234,7 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(gaps: &'a Gaps<'a>, kind: Kind, ends: [Option<DVec2>; 2]) -> Self {
+    fn new(gaps: &'a Gaps<'a>, kind: Bound, ends: [Option<DVec2>; 2]) -> Self {
         let nowhere = Stop {
             at: gaps.point(0),
             lfs: f64::INFINITY,
@@ -281,8 +273,8 @@ impl<'a> Walk<'a> {
         }
         let (worst, stop, dense) = self.worst;
         let (bound, at_most, lfs) = match self.kind {
-            Kind::Epsilon => (worst, self.at_most, stop.lfs),
-            Kind::Rho => (
+            Bound::Epsilon(_) => (worst, self.at_most, stop.lfs),
+            Bound::Rho(_) => (
                 ratio(worst, self.reach),
                 ratio(self.at_most, self.least_lfs),
                 self.reach,
@@ -316,8 +308,8 @@ impl<'a> Walk<'a> {
 
     fn visit(&mut self, stop: Stop, position: usize) {
         let badness = match self.kind {
-            Kind::Epsilon => ratio(stop.nearer(), stop.lfs),
-            Kind::Rho => stop.nearer(),
+            Bound::Epsilon(_) => ratio(stop.nearer(), stop.lfs),
+            Bound::Rho(_) => stop.nearer(),
         };
         if badness > self.worst.0 {
             self.worst = (badness, stop, position);
@@ -336,8 +328,8 @@ impl<'a> Walk<'a> {
         let middle = (before + after + arc) / 2.0;
         let farthest = one_sample.min(before.max(after).max(middle));
         let at_most = match self.kind {
-            Kind::Rho => farthest,
-            Kind::Epsilon if whole => {
+            Bound::Rho(_) => farthest,
+            Bound::Epsilon(_) if whole => {
                 let there = [
                     ratio(before, last.lfs),
                     ratio(after, next.lfs),
@@ -346,7 +338,7 @@ impl<'a> Walk<'a> {
                 let anywhere = there.into_iter().fold(0.0, f64::max);
                 anywhere.min(ratio(one_sample, run.lfs))
             }
-            Kind::Epsilon => ratio(farthest, run.lfs),
+            Bound::Epsilon(_) => ratio(farthest, run.lfs),
         };
         self.at_most = self.at_most.max(at_most);
         self.least_lfs = self.least_lfs.min(run.lfs);

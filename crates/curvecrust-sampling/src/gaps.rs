@@ -12,6 +12,8 @@
 //! distance to a point or to a segment is convex: along the chord of a run it is largest at an end.
 //! Cost: O(n) to build, O(log n) for most questions.
 
+use std::ops::Range;
+
 use curvecrust_curve::DenseComponent;
 use curvecrust_geometry::{DVec2, Segment};
 use curvecrust_medial_axis::Measured;
@@ -26,9 +28,11 @@ const SAFE: f64 = 1.0 - 1e-9;
 /// Positions of a closed component go on behind its last point, for a second round.
 #[derive(Debug)]
 pub(crate) struct Gaps<'a> {
+    /// The dense points of the component.
+    pub(crate) range: Range<usize>,
+    pub(crate) closed: bool,
     points: &'a [DVec2],
     lfs: &'a [f64],
-    closed: bool,
     /// Level k holds the runs of 2^k gaps that start at multiples of 2^k.
     levels: Vec<Vec<Run>>,
 }
@@ -64,15 +68,22 @@ fn arc_length(chord: f64, lfs: f64) -> f64 {
 }
 
 impl<'a> Gaps<'a> {
-    pub(crate) fn new(measured: &'a Measured, component: &DenseComponent) -> Self {
+    /// Those of every component.
+    pub(crate) fn of(measured: &'a Measured) -> Vec<Self> {
+        let components = measured.dense().components();
+        components.iter().map(|c| Self::new(measured, c)).collect()
+    }
+
+    fn new(measured: &'a Measured, component: &DenseComponent) -> Self {
         let DenseComponent { range, closed } = component.clone();
         let mut gaps = Self {
             points: &measured.dense().points()[range.clone()],
-            lfs: &measured.lfs().values()[range],
+            lfs: &measured.lfs().values()[range.clone()],
+            range,
             closed,
             levels: Vec::new(),
         };
-        let mut level: Vec<Run> = (0..gaps.len()).map(|i| gaps.gap(i)).collect();
+        let mut level: Vec<Run> = (0..gaps.len()).map(|i| gaps.run(i)).collect();
         let mut width = 1;
         while level.len() > 1 {
             let joined = level.chunks_exact(2).enumerate().map(|(i, pair)| {
@@ -93,16 +104,17 @@ impl<'a> Gaps<'a> {
         self.points.len() - usize::from(!self.closed)
     }
 
-    pub(crate) fn is_closed(&self) -> bool {
-        self.closed
-    }
-
     pub(crate) fn point(&self, at: usize) -> DVec2 {
-        self.points[at % self.points.len()]
+        self.points[self.in_first_round(at)]
     }
 
     pub(crate) fn lfs(&self, at: usize) -> f64 {
-        self.lfs[at % self.lfs.len()]
+        self.lfs[self.in_first_round(at)]
+    }
+
+    fn in_first_round(&self, at: usize) -> usize {
+        let count = self.points.len();
+        if at < count { at } else { at % count }
     }
 
     /// An upper bound of the length of the curve in the gap after a position.
@@ -117,6 +129,11 @@ impl<'a> Gaps<'a> {
 
     /// What is known of the gap after a position.
     pub(crate) fn gap(&self, at: usize) -> Run {
+        let gaps = self.len();
+        self.levels[0][if at < gaps { at } else { at % gaps }]
+    }
+
+    fn run(&self, at: usize) -> Run {
         let arc = self.arc(at);
         if arc == f64::INFINITY {
             return Run {

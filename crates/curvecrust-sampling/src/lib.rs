@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
 //! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
+//! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`placed`] | [`PlacedSamples`]: samples of any origin, by their places on a curve | |
 //! | [`greedy`] | [`sample_greedy`]: tested at dense points only; [`sample_as_published`]: the authors' form | Section 8.2 |
@@ -32,6 +33,7 @@ pub mod certified;
 pub mod check;
 pub mod condition;
 pub mod error;
+pub mod fewest;
 mod gaps;
 pub mod greedy;
 mod interval;
@@ -43,6 +45,7 @@ pub use certified::{CertifiedSampling, sample, sample_curve};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
 pub use condition::{Bound, Condition, ConditionError};
 pub use error::{SAMPLE_LIMIT, SamplingError};
+pub use fewest::sample_fewest;
 pub use greedy::{sample_as_published, sample_greedy};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};

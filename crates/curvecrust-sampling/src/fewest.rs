@@ -1,0 +1,144 @@
+//! The fewest samples: certified greedy sampling from the best of all starts.
+//!
+//! Whether greedy is optimal. Write J(a) for the last dense point up to which the condition holds from a.
+//!
+//! *Epsilon below 1, and rho up to 1, without a limit: yes.* Parts of an interval that holds hold. For
+//! a curve point p, the open disc of radius lfs(p) meets the curve in one arc, along which the distance to p
+//! grows from p to either side; otherwise a smaller disc about p would meet the curve in two pieces and
+//! contain a point of the medial axis (Amenta, Bern, Eppstein 1998). If p has an end of its interval nearer
+//! than epsilon lfs(p), or than rho reach, which are at most lfs(p), then an end that is moved towards p
+//! is nearer still, and the reach is no smaller. So J(a) never decreases with a, and by induction the i-th
+//! sample of greedy from a is at least as far along as that of any other sampling that has a sample at
+//! a: on an open component, which has one at its start, none has fewer samples. A closed component
+//! has some sample somewhere, so the best of all starts is optimal; any other start needs one more at most.
+//! All this is among samplings at dense points, and as far as lfs is right.
+//!
+//! *With a Hausdorff limit: no.* The chord from crest to trough of a gentle wave may pass near enough to
+//! all of it where the chord from crest to crest does not: parts of what holds need not hold, the
+//! farthest next sample may be a bad one, and greedy may take more samples than need be (6 for 4 in the test
+//! `greedy_is_not_optimal_with_a_limit`). What is returned is the best greedy sampling over all starts.
+//!
+//! Closed components: J for every dense point, then jumps of 2^i steps by doubling, and the smallest number of
+//! steps that goes round from any start. Cost: O(n log n).
+
+use curvecrust_medial_axis::Measured;
+use rayon::prelude::*;
+
+use crate::certified::{CertifiedSampling, certified, walk};
+use crate::condition::Condition;
+use crate::error::SamplingError;
+use crate::gaps::Gaps;
+
+/// Starts in a row, each of which helps the next; one item of progress.
+const CHUNK: usize = 2048;
+
+/// Samples every component of a curve with the fewest samples of all starts of certified
+/// [greedy sampling](crate::sample).
+///
+/// Without a Hausdorff limit no certified sampling at these dense points has fewer samples; with one, there are
+/// no more than from the first dense point. The first of equally good starts is taken; the samples
+/// of each component are in the order of its dense points. `progress` is told how many dense points are
+/// done, of how many.
+///
+/// # Errors
+/// Those of [`sample`](crate::sample).
+///
+/// ```
+/// use curvecrust_curve::Curve;
+/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+/// use curvecrust_sampling::{Condition, sample, sample_fewest};
+///
+/// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
+/// let curve = Curve::from_path_data(d)?;
+/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+/// let rho = Condition::rho(0.9)?;
+/// let fewest = sample_fewest(&measured, rho, &|_done, _of| {})?;
+/// assert!(fewest.samples.len() <= sample(&measured, rho)?.samples.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sample_fewest(
+    measured: &Measured,
+    condition: Condition,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<CertifiedSampling, SamplingError> {
+    let total = measured.dense().len();
+    progress(0, total);
+    certified(measured, condition, |gaps| {
+        let mut positions = walk(gaps, condition, 0)?;
+        if gaps.closed {
+            let told = |done: usize| progress(gaps.range.start + done, total);
+            let start = best_start(&jumps(gaps, condition, &told)?);
+            let other = walk(gaps, condition, start)?;
+            if other.len() < positions.len() {
+                positions = other.into_iter().map(|at| at % gaps.len()).collect();
+                positions.sort_unstable();
+            }
+        }
+        progress(gaps.range.end, total);
+        Ok(positions)
+    })
+}
+
+/// How far greedy jumps from every position of a closed component, in gaps; or a gap that is too long.
+fn jumps(
+    gaps: &Gaps,
+    condition: Condition,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<usize>, usize> {
+    let round = gaps.len();
+    let too_long = |&gap: &usize| !gaps.holds(condition, gap, gap + 1);
+    if let Some(gap) = (0..round).into_par_iter().find_first(too_long) {
+        return Err(gap);
+    }
+    let mut jumps = vec![0; round];
+    // A batch of chunks at a time, so that progress is told in order.
+    let batch = 16 * CHUNK;
+    for (index, part) in jumps.chunks_mut(batch).enumerate() {
+        let chunks = part.par_chunks_mut(CHUNK).enumerate();
+        chunks.for_each(|(chunk, jumps)| {
+            let first = index * batch + chunk * CHUNK;
+            let mut to = first;
+            for (from, jump) in (first..).zip(jumps) {
+                // Most often one farther than from the position before.
+                let found = gaps.farthest(condition, from, to + 1, from + round);
+                to = found.unwrap_or(from + 1);
+                *jump = to - from;
+            }
+        });
+        progress((index * batch + part.len()).min(round));
+    }
+    Ok(jumps)
+}
+
+/// The first position from which the fewest jumps go round.
+fn best_start(jumps: &[usize]) -> usize {
+    let round = jumps.len();
+    // Jumps in a row, no longer than a round.
+    let then = |first: &[usize], second: &[usize]| -> Vec<usize> {
+        let both = |(from, &jump): (usize, &usize)| {
+            let at = from + jump;
+            let at = if at >= round { at - round } else { at };
+            (jump + second[at]).min(round)
+        };
+        first
+            .par_iter()
+            .enumerate()
+            .map(|(from, jump)| both((from, jump)))
+            .collect()
+    };
+    let goes_round = |jump: &[usize]| jump.par_iter().any(|&j| j >= round);
+    let mut powers = vec![jumps.to_vec()];
+    while let Some(last) = powers.last().filter(|last| !goes_round(last)) {
+        powers.push(then(last, last));
+    }
+    // As many jumps as do not go round from anywhere; one more does from somewhere.
+    let mut some = vec![0; round];
+    for power in powers.iter().rev() {
+        let more = then(&some, power);
+        if !goes_round(&more) {
+            some = more;
+        }
+    }
+    let one_more = then(&some, jumps);
+    one_more.iter().position(|&j| j >= round).unwrap_or(0)
+}
