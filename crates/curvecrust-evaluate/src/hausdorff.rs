@@ -11,17 +11,11 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use curvecrust_curve::{CubicBezier, Curve};
-use curvecrust_geometry::{EdgeSet, PointSet, Segment, SegmentTree};
+use curvecrust_curve::Curve;
+use curvecrust_geometry::{DVec2, EdgeSet, PointSet, Segment, SegmentTree};
 
-/// A number that is known to lie between two others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// It is at least this.
-    pub lower: f64,
-    /// It is at most this.
-    pub upper: f64,
-}
+use crate::bounds::Bounds;
+use crate::reference::{Polygon, Reference};
 
 /// The two directed distances. Both are infinite when the polygon has no edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,17 +42,24 @@ impl Hausdorff {
 /// `tolerance` apart: a length in the unit of the curve; 1e-4 of its extent is a fair choice. It is
 /// taken as at least 1e-7 of the extent.
 ///
+/// For many reconstructions of one curve, [`Reference::distances`] prepares the curve once.
+///
 /// ```
 /// use curvecrust_curve::Curve;
 /// use curvecrust_evaluate::hausdorff;
-/// use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet};
+/// use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet, Segment};
 ///
-/// // A half circle of radius 1, and the chord that joins its ends: the vertices of the chord lie on
-/// // the curve, yet the curve rises 1 above it.
+/// // A half circle of radius 1, and the chord that joins its ends.
 /// let curve = Curve::from_path_data("M -1 0 A 1 1 0 0 1 1 0")?;
 /// let points = PointSet::new(vec![DVec2::new(-1.0, 0.0), DVec2::new(1.0, 0.0)])?;
 /// let ids: Vec<_> = points.ids().collect();
 /// let chord = EdgeSet::new(2, Edge::new(ids[0], ids[1]));
+///
+/// // The vertices of both lie on the other: a distance of vertices only would be 0. Yet the curve
+/// // rises 1 above the chord.
+/// let bezier_ends = curve.components()[0].segments().iter().map(|bezier| bezier.end());
+/// let last = bezier_ends.last().unwrap();
+/// assert!(Segment::new(points[ids[0]], points[ids[1]]).distance(last) < 1e-9);
 /// let found = hausdorff(&curve, &points, &chord, 1e-4);
 /// assert!(found.curve_to_polygon.lower < 1.0 && 1.0 < found.curve_to_polygon.upper + 1e-3);
 /// assert!(found.curve_to_polygon.upper - found.curve_to_polygon.lower < 3e-4);
@@ -67,59 +68,28 @@ impl Hausdorff {
 #[must_use]
 pub fn hausdorff(curve: &Curve, points: &PointSet, edges: &EdgeSet, tolerance: f64) -> Hausdorff {
     let tolerance = tolerance.max(1e-7 * curve.extent());
-    // The chords are this near to the curve, and the curve to them.
-    let flatness = tolerance / 4.0;
-    let chords: Vec<Segment> = curve
-        .components()
-        .iter()
-        .flat_map(|component| component.segments())
-        .flat_map(|bezier| flattened(bezier, flatness))
-        .collect();
-    let polygon: Vec<Segment> = edges
-        .edges()
-        .iter()
-        .filter(|edge| edge.b().index() < points.len())
-        .map(|edge| Segment::new(points[edge.a()], points[edge.b()]))
-        .collect();
-    let between = |from: &[Segment], to: &[Segment]| {
-        let found = directed(from, &SegmentTree::new(to.iter().copied()), tolerance);
-        Bounds {
-            lower: (found.lower - flatness).max(0.0),
-            upper: found.upper + flatness,
-        }
-    };
-    if polygon.is_empty() {
-        let none = Bounds {
-            lower: f64::INFINITY,
-            upper: f64::INFINITY,
-        };
-        return Hausdorff {
-            curve_to_polygon: none,
-            polygon_to_curve: none,
-        };
-    }
-    Hausdorff {
-        curve_to_polygon: between(&chords, &polygon),
-        polygon_to_curve: between(&polygon, &chords),
-    }
+    let reference = Reference::of_curve(curve, tolerance / 4.0);
+    between(&reference, &Polygon::new(points, edges), tolerance)
 }
 
-/// Chords at equal steps of the parameter, so many that none is farther than `flatness` from its
-/// arc: the chord of a step h deviates by at most h^2 / 8 times the largest second derivative, which
-/// is linear along a cubic.
-fn flattened(bezier: &CubicBezier, flatness: f64) -> impl Iterator<Item = Segment> + '_ {
-    let bend = bezier
-        .second_derivative(0.0)
-        .length()
-        .max(bezier.second_derivative(1.0).length());
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped"
-    )]
-    let steps = (bend / (8.0 * flatness)).sqrt().ceil().clamp(1.0, 1e6) as u32;
-    let at = move |i: u32| bezier.point(f64::from(i) / f64::from(steps));
-    (0..steps).map(move |i| Segment::new(at(i), at(i + 1)))
+/// The two directed distances, each with bounds `tolerance` and twice the flatness apart.
+pub(crate) fn between(reference: &Reference, polygon: &Polygon, tolerance: f64) -> Hausdorff {
+    let widened = |found: Bounds| Bounds {
+        lower: (found.lower - reference.flatness()).max(0.0),
+        upper: found.upper + reference.flatness(),
+    };
+    if polygon.sides.is_empty() {
+        return Hausdorff {
+            curve_to_polygon: Bounds::exactly(f64::INFINITY),
+            polygon_to_curve: Bounds::exactly(f64::INFINITY),
+        };
+    }
+    let curve_to_polygon = directed(reference.chords(), &polygon.tree, tolerance);
+    let polygon_to_curve = directed(&polygon.sides, reference.tree(), tolerance);
+    Hausdorff {
+        curve_to_polygon: widened(curve_to_polygon),
+        polygon_to_curve: widened(polygon_to_curve),
+    }
 }
 
 /// A part of a segment, and how far it can be from the target at most.
@@ -169,14 +139,23 @@ impl Ord for Part {
 
 /// The largest distance of a point of `from` to the nearest of `to`, by branch and bound.
 fn directed(from: &[Segment], to: &SegmentTree, tolerance: f64) -> Bounds {
-    let nearest = |p| to.nearest(p).unwrap_or((Segment::new(p, p), f64::INFINITY));
+    let none = |p| (Segment::new(p, p), f64::INFINITY);
     let mut lower = 0.0f64;
+    // Segments mostly start where the one before ends: its answer is a good guess, or the answer.
+    let mut last: Option<(DVec2, (Segment, f64))> = None;
     let mut parts: BinaryHeap<Part> = from
         .iter()
         .map(|&segment| {
-            let nearest = [nearest(segment.a), nearest(segment.b)];
-            lower = lower.max(nearest[0].1).max(nearest[1].1);
-            Part::new(segment, nearest)
+            let at = |p, last| match last {
+                Some((at, found)) if at == p => found,
+                Some((_, (near, _))) => to.nearest_after(p, near).unwrap_or(none(p)),
+                None => to.nearest(p).unwrap_or(none(p)),
+            };
+            let at_a = at(segment.a, last);
+            let at_b = at(segment.b, Some((segment.a, at_a)));
+            last = Some((segment.b, at_b));
+            lower = lower.max(at_a.1).max(at_b.1);
+            Part::new(segment, [at_a, at_b])
         })
         .collect();
     while let Some(part) = parts.pop() {
@@ -188,9 +167,9 @@ fn directed(from: &[Segment], to: &SegmentTree, tolerance: f64) -> Bounds {
         }
         let Segment { a, b } = part.segment;
         let middle = a.midpoint(b);
-        let at_middle = nearest(middle);
-        lower = lower.max(at_middle.1);
         let [at_a, at_b] = part.nearest;
+        let at_middle = to.nearest_after(middle, at_a.0).unwrap_or(none(middle));
+        lower = lower.max(at_middle.1);
         parts.push(Part::new(Segment::new(a, middle), [at_a, at_middle]));
         parts.push(Part::new(Segment::new(middle, b), [at_middle, at_b]));
     }

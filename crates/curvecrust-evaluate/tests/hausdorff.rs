@@ -67,7 +67,7 @@ fn nothing_is_infinitely_far() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(200))]
     #[test]
     fn bounds_bracket_brute_force(
         ends in prop::collection::vec((-2.0..2.0f64, -2.0..2.0f64), 3..8),
