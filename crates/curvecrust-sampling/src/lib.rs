@@ -9,6 +9,8 @@
 //! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
 //! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
+//! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
+//! | [`noise`] | [`with_noise`], [`with_outliers`]: samples that went wrong | |
 //! | [`placed`] | [`PlacedSamples`]: samples of any origin, by their places on a curve | |
 //! | [`greedy`] | [`sample_greedy`]: tested at dense points only; [`sample_as_published`]: the authors' form | Section 8.2 |
 //! | [`sampled_curve`] | [`SampledCurve`]: samples in curve order, and the [manifold boundary](SampledCurve::manifold_boundary) | Section 4 |
@@ -37,9 +39,12 @@ pub mod fewest;
 mod gaps;
 pub mod greedy;
 mod interval;
+pub mod noise;
 pub mod placed;
+mod random;
 pub mod sampled_curve;
 pub mod theory;
+pub mod uneven;
 
 pub use certified::{CertifiedSampling, sample, sample_curve};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
@@ -47,5 +52,7 @@ pub use condition::{Bound, Condition, ConditionError};
 pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::sample_fewest;
 pub use greedy::{sample_as_published, sample_greedy};
+pub use noise::{Noise, NoiseShape, NoiseSize, with_noise, with_outliers};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
+pub use uneven::{sample_unevenly, sample_uniformly};

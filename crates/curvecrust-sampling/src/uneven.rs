@@ -1,0 +1,138 @@
+//! Samplings to compare with: at equal lengths of arc, and unevenly thinned.
+
+use curvecrust_medial_axis::Measured;
+
+use crate::certified::{CertifiedSampling, certified};
+use crate::condition::Condition;
+use crate::error::{SAMPLE_LIMIT, SamplingError};
+use crate::random::Random;
+use crate::sampled_curve::SampledCurve;
+
+/// Samples every component at equal lengths of arc, as near to `step` as goes, whatever its lfs.
+///
+/// Each sample is the dense point nearest to its place along the dense polygon. Closed components begin
+/// at their first dense point and have three samples at least, open ones have both ends; none has more than
+/// dense points. Nothing is claimed about epsilon or rho: see [`check`](crate::check()).
+///
+/// # Errors
+/// [`Parameter`](SamplingError::Parameter) if the step is no length above 0,
+/// [`TooMany`](SamplingError::TooMany) if it asks for more than [`SAMPLE_LIMIT`] samples.
+pub fn sample_uniformly(measured: &Measured, step: f64) -> Result<SampledCurve, SamplingError> {
+    if !(step > 0.0 && step.is_finite()) {
+        return Err(SamplingError::Parameter {
+            name: "step",
+            value: step,
+            range: "a length above 0",
+        });
+    }
+    let points = measured.dense().points();
+    let along = |component: &curvecrust_curve::DenseComponent| -> Vec<f64> {
+        let start = component.range.start;
+        let closing = component.closed.then_some(start);
+        let mut length = 0.0;
+        let mut last = points[start];
+        let stops = component.range.clone().chain(closing);
+        stops
+            .map(|i| {
+                length += last.distance(points[i]);
+                last = points[i];
+                length
+            })
+            .collect()
+    };
+    let mut sampled = SampledCurve::default();
+    let components = measured.dense().components();
+    let lengths: Vec<Vec<f64>> = components.iter().map(along).collect();
+    let wanted: f64 = lengths
+        .iter()
+        .filter_map(|l| l.last())
+        .map(|l| l / step)
+        .sum();
+    if wanted > SAMPLE_LIMIT as f64 {
+        return Err(SamplingError::TooMany {
+            count: whole(wanted),
+        });
+    }
+    for (component, along) in components.iter().zip(&lengths) {
+        let length = along.last().copied().unwrap_or(0.0);
+        let least = if component.closed { 3 } else { 1 };
+        let parts = whole((length / step).round()).max(least);
+        let at_end = if component.closed { 0 } else { 1 };
+        let place = |k: u64| nearest(along, length * k as f64 / parts as f64);
+        let mut places: Vec<usize> = (0..parts + at_end).map(place).collect();
+        // The last place of a closed polygon is its first.
+        places.retain(|&at| at < component.range.len());
+        places.dedup();
+        let indices = places.iter().map(|at| component.range.start + at);
+        sampled.push_component(measured.dense(), indices, component.closed);
+    }
+    Ok(sampled)
+}
+
+/// The position of the value nearest to one, in ascending values.
+fn nearest(ascending: &[f64], value: f64) -> usize {
+    let after = ascending.partition_point(|&v| v < value);
+    let before = after.saturating_sub(1);
+    let last = ascending.len().saturating_sub(1);
+    if after > last || value - ascending[before] <= ascending[after] - value {
+        before
+    } else {
+        after
+    }
+}
+
+fn whole(value: f64) -> u64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "not negative, and the cast saturates"
+    )]
+    let whole = value as u64;
+    whole
+}
+
+/// Samples that satisfy a condition, unevenly: each next one is anywhere between a `fraction` of the
+/// greedy step, in (0, 1], and all of it. The same seed gives the same samples.
+///
+/// With a fraction of 1 it is [`sample`](crate::sample).
+///
+/// # Errors
+/// [`Parameter`](SamplingError::Parameter) for a fraction out of range, and those of [`sample`](crate::sample).
+pub fn sample_unevenly(
+    measured: &Measured,
+    condition: Condition,
+    fraction: f64,
+    seed: u64,
+) -> Result<CertifiedSampling, SamplingError> {
+    if !(fraction > 0.0 && fraction <= 1.0) {
+        return Err(SamplingError::Parameter {
+            name: "fraction",
+            value: fraction,
+            range: "above 0 and at most 1",
+        });
+    }
+    let mut random = Random::new(seed);
+    certified(measured, condition, |gaps| {
+        let (mut positions, mut guess) = (vec![0], 1);
+        let (mut from, end) = (0, gaps.len());
+        while from < end {
+            let farthest = gaps.farthest(condition, from, guess, end).ok_or(from)?;
+            let share = random.between(fraction, 1.0) * (farthest - from) as f64;
+            let step = usize::try_from(whole(share.ceil())).unwrap_or(usize::MAX);
+            let to = from.saturating_add(step).min(farthest);
+            // With a Hausdorff limit, a part of what holds need not hold.
+            let to = if gaps.holds(condition, from, to) {
+                to
+            } else {
+                farthest
+            };
+            guess = farthest + (farthest - from);
+            positions.push(to);
+            from = to;
+        }
+        if gaps.closed {
+            positions.pop();
+        }
+        Ok(positions)
+    })
+}

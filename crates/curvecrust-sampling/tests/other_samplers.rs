@@ -1,0 +1,133 @@
+//! Uniform and uneven sampling, noise and outliers.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+use curvecrust_curve::Curve;
+use curvecrust_geometry::DVec2;
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_sampling::{
+    Condition, Noise, NoiseShape, NoiseSize, SamplingError, sample, sample_unevenly,
+    sample_uniformly, with_noise, with_outliers,
+};
+
+/// A stadium and an arch beside it.
+fn curves() -> Measured {
+    let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z M 10 0 C 10 4 16 4 16 0";
+    let curve = Curve::from_path_data(d).unwrap();
+    measure(
+        &curve,
+        Discretisation::Adaptive { gap_to_lfs: 0.01 },
+        Estimator::Voronoi,
+    )
+    .unwrap()
+}
+
+#[test]
+fn uniform_samples_are_as_far_apart_as_asked_for() {
+    let measured = curves();
+    let sampled = sample_uniformly(&measured, 0.25).unwrap();
+    for component in sampled.components() {
+        let points = &sampled.points()[component.range.clone()];
+        for pair in points.windows(2) {
+            assert!((pair[0].distance(pair[1]) - 0.25).abs() < 0.05);
+        }
+    }
+    let [stadium, arch] = sampled.components() else {
+        panic!()
+    };
+    // 8 + 2 pi is 57.1 steps; both ends of the arch are samples.
+    assert_eq!(stadium.range.len(), 57);
+    assert_eq!(sampled.points()[arch.range.end - 1], DVec2::new(16.0, 0.0));
+    let coarse = sample_uniformly(&measured, 1e9).unwrap();
+    assert_eq!(
+        coarse
+            .components()
+            .iter()
+            .map(|c| c.range.len())
+            .collect::<Vec<_>>(),
+        [3, 2]
+    );
+    // No more than dense points, each once.
+    let fine = sample_uniformly(&measured, 1e-4).unwrap();
+    assert_eq!(
+        fine.dense_indices(),
+        (0..measured.dense().len()).collect::<Vec<_>>()
+    );
+    assert!(matches!(
+        sample_uniformly(&measured, 1e-7),
+        Err(SamplingError::TooMany { .. })
+    ));
+    assert!(
+        sample_uniformly(&measured, 0.0).is_err() && sample_uniformly(&measured, f64::NAN).is_err()
+    );
+}
+
+#[test]
+fn uneven_samples_satisfy_the_condition() {
+    let measured = curves();
+    for condition in [
+        Condition::rho(0.9).unwrap(),
+        Condition::epsilon(0.47)
+            .unwrap()
+            .with_hausdorff_limit(0.01)
+            .unwrap(),
+    ] {
+        let greedy = sample(&measured, condition).unwrap();
+        let whole = sample_unevenly(&measured, condition, 1.0, 3).unwrap();
+        assert_eq!(whole, greedy);
+        let uneven = sample_unevenly(&measured, condition, 0.3, 3).unwrap();
+        assert!(uneven.attained.unwrap().at_most < condition.bound().value());
+        assert!(uneven.samples.len() > greedy.samples.len());
+        assert_eq!(
+            uneven,
+            sample_unevenly(&measured, condition, 0.3, 3).unwrap()
+        );
+        assert_ne!(
+            uneven,
+            sample_unevenly(&measured, condition, 0.3, 4).unwrap()
+        );
+        for bad in [0.0, 1.1, f64::NAN] {
+            assert!(sample_unevenly(&measured, condition, bad, 0).is_err());
+        }
+    }
+}
+
+#[test]
+fn noise_has_its_size() {
+    let measured = curves();
+    let sampled = sample_uniformly(&measured, 1e-4).unwrap();
+    let moved = |shape, size| {
+        let noisy = with_noise(&measured, &sampled, Noise { shape, size }, 5).unwrap();
+        let by: Vec<f64> = noisy
+            .iter()
+            .zip(sampled.points())
+            .map(|(p, q)| p.distance(*q))
+            .collect();
+        let mean_square = by.iter().map(|d| d * d).sum::<f64>() / by.len() as f64;
+        (by.iter().copied().fold(0.0, f64::max), mean_square)
+    };
+    // The extent is about 17: -1 to 16.
+    let (most, mean_square) = moved(NoiseShape::Disc, NoiseSize::OfExtent(0.01));
+    assert!(0.168 < most && most < 0.1701);
+    assert!((mean_square / (0.17f64.powi(2) / 2.0) - 1.0).abs() < 0.1);
+    let (_, mean_square) = moved(NoiseShape::Gaussian, NoiseSize::OfExtent(0.01));
+    assert!((mean_square / (0.17f64.powi(2) * 2.0) - 1.0).abs() < 0.1);
+    let (most, _) = moved(NoiseShape::Disc, NoiseSize::OfLfs(0.0));
+    assert!(most <= 0.0);
+    let noise = Noise {
+        shape: NoiseShape::Disc,
+        size: NoiseSize::OfLfs(-1.0),
+    };
+    assert!(with_noise(&measured, &sampled, noise, 0).is_err());
+}
+
+#[test]
+fn outliers_come_after_the_points() {
+    let points = [DVec2::ZERO, DVec2::new(2.0, 1.0)];
+    let all = with_outliers(&points, 1000, 0.5, 9).unwrap();
+    assert_eq!((all.len(), &all[..2]), (1002, &points[..]));
+    let (low, high) = (DVec2::splat(-1.0), DVec2::new(3.0, 2.0));
+    assert!(all.iter().all(|&p| p.clamp(low, high) == p));
+    assert!(all.iter().any(|p| p.x < -0.9) && all.iter().any(|p| p.y > 1.9));
+    assert!(with_outliers(&[], 5, 0.5, 9).unwrap().is_empty());
+    assert!(with_outliers(&points, 5, f64::NAN, 9).is_err());
+}
