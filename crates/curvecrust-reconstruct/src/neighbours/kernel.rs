@@ -10,7 +10,7 @@ use curvecrust_geometry::DVec2;
 use super::HalfRule;
 use super::candidates::{Candidates, Closest, LANES, Wanted};
 use super::half_plane::{HalfPlane, threshold};
-use super::lanes::{WIDTH, sum};
+use super::lanes::{WIDTH, bits, sum};
 use super::search::{Best, NONE};
 use super::tree::{Leaf, Rect, Room, Tree};
 
@@ -65,10 +65,16 @@ impl Kernel<'_> {
     /// The choices of the points of a leaf.
     #[inline(always)]
     fn choose(&mut self, leaf: &Leaf, choices: &mut [Choice]) {
-        let reach = REACH * typical_distance(leaf);
+        let gaps = gaps(leaf);
+        let reach = REACH * typical_distance(&gaps);
+        let limit = (JUMP * reach) * (JUMP * reach);
+        let starts = bits(|slot| gaps[slot] > limit);
         let mut first = 0;
         while first < choices.len() {
-            let end = end_of_run(leaf, first, JUMP * reach).min(choices.len());
+            let later = starts >> first >> 1;
+            let end = choices
+                .len()
+                .min(first + 1 + later.trailing_zeros() as usize);
             let rect = leaf.bounds_of(first..end).grown(reach);
             if self.collect(rect).is_none() {
                 self.candidates.clear();
@@ -140,27 +146,32 @@ impl Kernel<'_> {
     }
 }
 
-/// The first slot after `first` whose point is farther than `jump` from the one before.
+/// The squared distance from each point of a leaf to the one before, infinite where there is none.
 #[inline(always)]
-fn end_of_run(leaf: &Leaf, first: usize, jump: f64) -> usize {
-    let gap = |slot: usize| (leaf.point(slot) - leaf.point(slot - 1)).length_squared();
-    let mut ends = first + 1..WIDTH;
-    ends.find(|&slot| gap(slot) > jump * jump).unwrap_or(WIDTH)
+fn gaps(leaf: &Leaf) -> [f64; WIDTH] {
+    let mut gaps = [f64::INFINITY; WIDTH];
+    for slot in 1..WIDTH {
+        let (x, y) = (
+            leaf.x[slot] - leaf.x[slot - 1],
+            leaf.y[slot] - leaf.y[slot - 1],
+        );
+        let squared = x * x + y * y;
+        gaps[slot] = if squared < f64::INFINITY {
+            squared
+        } else {
+            f64::INFINITY
+        };
+    }
+    gaps
 }
 
-/// A mean of the distances from each point of a leaf to the nearest other one, in which those of
-/// points that lie apart count less. 0 for a single point.
+/// A mean of the distances from each point of a leaf to the closer of the ones before and after, in
+/// which those of points that lie apart count less. 0 for a single point.
 #[inline(always)]
-fn typical_distance(leaf: &Leaf) -> f64 {
-    let mut squared = [f64::INFINITY; WIDTH];
-    for c in 0..WIDTH {
-        let (x, y) = (leaf.x[c], leaf.y[c]);
-        for (l, least) in squared.iter_mut().enumerate() {
-            let (a_x, a_y) = (x - leaf.x[l], y - leaf.y[l]);
-            let d = a_x * a_x + a_y * a_y;
-            let closer = (d > 0.0) & (d < *least);
-            *least = if closer { d } else { *least };
-        }
+fn typical_distance(gaps: &[f64; WIDTH]) -> f64 {
+    let mut squared = *gaps;
+    for slot in 1..WIDTH {
+        squared[slot - 1] = squared[slot - 1].min(gaps[slot]);
     }
     let distances = squared.map(f64::sqrt);
     let inverses = sum(&distances.map(|d| 1.0 / d));
