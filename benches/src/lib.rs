@@ -4,6 +4,7 @@
 //! `summary` runs all comparisons interleaved and prints ratios beside the goals.
 
 pub mod comparison;
+pub mod curves;
 pub mod generators;
 pub mod machine;
 pub mod peers;

@@ -24,7 +24,8 @@ const TEASER: &str = include_str!("../../fixtures/curves/teaser.svg");
 /// Writes or checks every generated file.
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut stale = false;
-    for (name, text) in [("docs/images/teaser.svg", teaser()?)] {
+    let files = [("docs/images/teaser.svg", teaser()?)];
+    for (name, text) in files {
         let path = root().join(name);
         if !args.check {
             write_whole(&path, &text)?;

@@ -6,6 +6,7 @@
     reason = "a program for a terminal"
 )]
 
+mod bench;
 mod docs;
 mod fetch_paper_data;
 mod reproduce_paper;
@@ -34,6 +35,8 @@ enum Task {
     Test(test::Args),
     /// Lay the paper authors' curves and points (GPL-3.0) under fixtures/paper, which git ignores
     FetchPaperData(fetch_paper_data::Args),
+    /// Measure against peers and goals, print the table, write it under target/bench
+    Bench(bench::Args),
     /// Draw and write the generated files under docs, or check that they are fresh
     Docs(docs::Args),
     /// Reproduce Tables 1 to 3 of "Curve Reconstruction with Many Fewer Samples"
@@ -44,6 +47,7 @@ fn main() -> ExitCode {
     let outcome = match Cli::parse().task {
         Task::Test(args) => test::run(&args),
         Task::FetchPaperData(args) => fetch_paper_data::run(&args),
+        Task::Bench(args) => bench::run(&args),
         Task::Docs(args) => docs::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
     };

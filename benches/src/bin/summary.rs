@@ -14,8 +14,8 @@ use std::error::Error;
 use std::path::Path;
 
 use curvecrust_benches::comparison::{Row, markdown};
-use curvecrust_benches::machine;
 use curvecrust_benches::stages::{self, Sizes};
+use curvecrust_benches::{curves, machine};
 use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 
@@ -45,6 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows.extend(one.install(|| stages::growth_of_hnn(sizes))?);
         rows.extend(stages::two_threads(sizes, &pools)?);
         rows.extend(one.install(|| stages::delaunay(sizes))?);
+        // The pool takes no boxed error over from its thread.
+        let curves = one.install(|| curves::lfs_and_sampling(sizes).map_err(|e| e.to_string()));
+        rows.extend(curves?);
     }
     let summary = Summary {
         processor: machine::processor(),

@@ -1,0 +1,121 @@
+//! Medial axis, lfs and sampling of one dense smooth curve.
+
+use std::error::Error;
+
+use curvecrust_curve::{CurveParam, DenseComponent, DenseCurve};
+use curvecrust_medial_axis::{Estimator, Measured};
+use curvecrust_sampling::{Condition, sample, sample_fewest, sample_greedy};
+
+use crate::comparison::{Goal, Row, Task, medians, per_element};
+use crate::generators::one_curve;
+use crate::stages::Sizes;
+
+/// The points of `one_curve`, in order along the curve.
+///
+/// # Errors
+/// None for sizes that the generator takes.
+pub fn dense_one_curve(count: usize) -> Result<DenseCurve, Box<dyn Error>> {
+    let points = one_curve(count)?.points.points().to_vec();
+    let params = (0..count).map(|i| CurveParam {
+        component: 0,
+        segment: 0,
+        t: i as f64 / count as f64,
+    });
+    let whole = DenseComponent {
+        range: 0..count,
+        closed: true,
+    };
+    Ok(DenseCurve::new(points, params.collect(), vec![whole])?)
+}
+
+/// The whole of lfs (Delaunay, axis, all queries): its time, its growth and its precision; and
+/// sampling with lfs given. One thread.
+///
+/// # Errors
+/// None for these sizes.
+pub fn lfs_and_sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
+    let counts = [sizes.small, sizes.medium, sizes.large];
+    let dense: Vec<DenseCurve> = counts
+        .into_iter()
+        .map(dense_one_curve)
+        .collect::<Result<_, _>>()?;
+    let lfs = |i: usize| {
+        let dense: &DenseCurve = &dense[i];
+        Task::new("lfs", move || {
+            Measured::new(dense.clone(), Estimator::Voronoi)
+        })
+    };
+    let times = medians((0..3).map(lfs).collect(), sizes.rounds.div_ceil(2));
+    let [small, medium, large] = [0, 1, 2].map(|i| per_element(times[i], counts[i]));
+    let exponent = (times[2] / times[0]).ln() / (counts[2] as f64 / counts[0] as f64).ln();
+    let mut rows = vec![
+        Row {
+            what: format!("lfs of one-curve {}, seconds", counts[1]),
+            measured: format!("{medium} a point"),
+            figure: times[1],
+            goal: Goal::AtMost(0.35),
+        },
+        Row {
+            what: format!(
+                "growth of lfs, one-curve {} to {}, exponent",
+                counts[0], counts[2]
+            ),
+            measured: format!("{small}, {large} a point"),
+            figure: exponent,
+            goal: Goal::AtMost(1.15),
+        },
+        Row {
+            what: format!(
+                "lfs against brute-force shrinking balls, one-curve {}",
+                counts[0]
+            ),
+            measured: "relative difference in the mean, times 10^4".to_owned(),
+            figure: 1e4 * difference(&dense[0])?,
+            goal: Goal::AtMost(1.0),
+        },
+    ];
+    rows.extend(sampling(
+        &Measured::new(dense[2].clone(), Estimator::Voronoi)?,
+        sizes.rounds,
+    )?);
+    Ok(rows)
+}
+
+fn sampling(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+    let count = measured.dense().len();
+    let conditions = [
+        ("rho < 0.9", Condition::rho(0.9)?),
+        ("epsilon < 0.47", Condition::epsilon(0.47)?),
+    ];
+    let mut rows = Vec::new();
+    for (name, condition) in conditions {
+        let tasks = vec![
+            Task::new("certified", || sample(measured, condition)),
+            Task::new("greedy", || sample_greedy(measured, condition)),
+            Task::new("fewest", || sample_fewest(measured, condition, &|_, _| {})),
+        ];
+        let times = medians(tasks, rounds.div_ceil(3));
+        let row = |what: &str, seconds, goal| Row {
+            what: format!("{what}, {name}, one-curve {count}, seconds"),
+            measured: format!("{} a point", per_element(seconds, count)),
+            figure: seconds,
+            goal: Goal::AtMost(goal),
+        };
+        rows.extend([
+            row("certified sampling", times[0], 0.15),
+            row("greedy sampling", times[1], 0.15),
+            row("fewest samples", times[2], 1.0),
+        ]);
+    }
+    Ok(rows)
+}
+
+/// The mean relative difference of the two estimators of lfs.
+fn difference(dense: &DenseCurve) -> Result<f64, Box<dyn Error>> {
+    let [voronoi, balls] = [Estimator::Voronoi, Estimator::ShrinkingBall]
+        .map(|estimator| Measured::new(dense.clone(), estimator));
+    let (voronoi, balls) = (voronoi?, balls?);
+    let pairs = voronoi.lfs().values().iter().zip(balls.lfs().values());
+    let sum: f64 = pairs.map(|(a, b)| (a / b - 1.0).abs()).sum();
+    Ok(sum / dense.len() as f64)
+}
