@@ -28,20 +28,3 @@ pub fn commit() -> String {
         .filter(|t| !t.is_empty())
         .unwrap_or_else(|| "unknown".to_owned())
 }
-
-/// The bytes by which the process grows at its peak while `run` runs; `None` where the system does
-/// not tell (it is Linux that does).
-pub fn growth<R>(run: impl FnOnce() -> R) -> Option<u64> {
-    let field = |name: &str| {
-        let status = std::fs::read_to_string("/proc/self/status").ok()?;
-        let line = status
-            .lines()
-            .find_map(|l| l.strip_prefix(name)?.strip_prefix(':'))?;
-        line.split_whitespace().next()?.parse::<u64>().ok()
-    };
-    // Sets the peak to what is in use now.
-    std::fs::write("/proc/self/clear_refs", "5").ok()?;
-    let before = field("VmRSS")?;
-    std::hint::black_box(run());
-    Some(field("VmHWM")?.saturating_sub(before) * 1024)
-}

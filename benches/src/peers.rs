@@ -51,6 +51,12 @@ pub fn rstar_hnn_crust(points: &PointSet) -> EdgeSet {
     })
 }
 
+/// HNN-Crust by comparing every point with every other.
+#[must_use]
+pub fn brute_force_hnn_crust(points: &PointSet) -> EdgeSet {
+    mutual_edges(points, |_, _| points.ids().collect())
+}
+
 /// Edges that both ends chose, given the points nearest to a point, itself included.
 fn mutual_edges(
     points: &PointSet,
@@ -146,6 +152,7 @@ mod tests {
                 assert_eq!(kiddo_hnn_crust(&points), edges);
                 if count <= 2_000 {
                     assert_eq!(rstar_hnn_crust(&points), edges);
+                    assert_eq!(brute_force_hnn_crust(&points), edges);
                 }
             }
         }

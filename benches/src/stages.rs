@@ -7,7 +7,6 @@ use curvecrust_voronoi::Delaunay;
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
 use crate::generators::{many_curves, mixed_scale, one_curve, uniform};
-use crate::machine::growth;
 use crate::peers;
 
 /// The numbers of points, and of rounds of which the median is taken.
@@ -54,7 +53,7 @@ const DISPATCH: &str = if cfg!(feature = "simd") {
 /// HNN-Crust against kiddo, on one thread.
 ///
 /// # Errors
-/// None for these sizes.
+/// Too many points for a [`PointSet`]: not for the sizes given here.
 ///
 /// # Panics
 /// If the edges are not those of the same algorithm on kiddo, on planted curves those planted.
@@ -101,10 +100,10 @@ fn one_against_kiddo(name: &str, points: &PointSet, goal: Goal, rounds: usize) -
     }
 }
 
-/// HNN-Crust against sorting, NN-Crust and rstar, and its growth in time and memory; one thread.
+/// HNN-Crust against sorting, NN-Crust and rstar; one thread.
 ///
 /// # Errors
-/// None for these sizes.
+/// Too many points for a [`PointSet`]: not for the sizes given here.
 pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
     let points = many_curves(sizes.large, 1)?.points;
     let few = many_curves(sizes.medium, 1)?.points;
@@ -156,40 +155,30 @@ pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
     ])
 }
 
-/// The growth of HNN-Crust in time, as an exponent, and in memory, in bytes a point; one thread.
+/// The growth of HNN-Crust in time, as an exponent; one thread.
 ///
 /// # Errors
-/// None for these sizes.
-pub fn growth_of_hnn(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
+/// Too many points for a [`PointSet`]: not for the sizes given here.
+pub fn growth(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
     let [few, most] = [sizes.medium, sizes.huge];
     let inputs = [many_curves(few, 1)?.points, many_curves(most, 1)?.points];
-    let memory = growth(|| hnn_crust(&inputs[1]));
     let tasks = inputs
         .iter()
         .map(|p| Task::new("hnn-crust", || hnn_crust(p)));
     let times = medians(tasks.collect(), sizes.rounds.div_ceil(2));
-    let exponent = (times[1] / times[0]).ln() / (most as f64 / few as f64).ln();
-    let mut rows = vec![Row {
+    let [first, last] = [per_element(times[0], few), per_element(times[1], most)];
+    Ok(vec![Row {
         what: format!("growth of HNN-Crust, many-curves {few} to {most}, exponent{DISPATCH}"),
-        measured: [(0, few), (1, most)]
-            .map(|(i, n)| per_element(times[i], n))
-            .join(", "),
-        figure: exponent,
+        measured: format!("{first}, {last} a point"),
+        figure: (times[1] / times[0]).ln() / (most as f64 / few as f64).ln(),
         goal: Goal::AtMost(1.10),
-    }];
-    rows.extend(memory.map(|bytes| Row {
-        what: format!("memory of HNN-Crust beyond its input, B a point, many-curves {most}"),
-        measured: format!("{} MB at the peak", bytes / 1_000_000),
-        figure: bytes as f64 / most as f64,
-        goal: Goal::AtMost(48.0),
-    }));
-    Ok(rows)
+    }])
 }
 
 /// HNN-Crust on a pool of one thread against one of two; to be called outside of any pool.
 ///
 /// # Errors
-/// None for these sizes.
+/// Too many points for a [`PointSet`]: not for the sizes given here.
 pub fn two_threads(
     sizes: Sizes,
     pools: &[rayon::ThreadPool; 2],
@@ -217,7 +206,7 @@ pub fn two_threads(
 /// The Delaunay triangulation against delaunator and across inputs, and Crust against it.
 ///
 /// # Errors
-/// None for these sizes.
+/// Too many points for a [`PointSet`]: not for the sizes given here.
 ///
 /// # Panics
 /// If the numbers of triangles differ, or Crust does not return the planted edges.

@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = one.install(|| stages::against_kiddo(sizes))?;
     rows.extend(one.install(|| stages::alone(sizes))?);
     if dispatch {
-        rows.extend(one.install(|| stages::growth_of_hnn(sizes))?);
+        rows.extend(one.install(|| stages::growth(sizes))?);
         rows.extend(stages::two_threads(sizes, &pools)?);
         rows.extend(one.install(|| stages::delaunay(sizes))?);
         // The pool takes no boxed error over from its thread.

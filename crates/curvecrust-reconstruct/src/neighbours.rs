@@ -157,6 +157,36 @@ mod tests {
             .prop_map(|p| PointSet::merging_duplicates(p).unwrap().points)
     }
 
+    /// Ties on a grid, a spiral down to 2^-60, a distant cluster and a far outlier: several levels of
+    /// the tree, of keys and of everything that is not certain at first.
+    fn uneven_points() -> PointSet {
+        let grid = (0..900).map(|i| DVec2::new(f64::from(i % 30), f64::from(i / 30)));
+        let spiral = (0..1500).map(|i| {
+            let turn = f64::from(i) * 0.04;
+            DVec2::from_angle(turn) * (-turn * 0.7).exp2() * 8.0 - 20.0
+        });
+        let cluster = (0..400).map(|i| {
+            let i = f64::from(i);
+            DVec2::new((i * 0.618).fract(), (i * 0.414).fract()) * 1e-6 + 1e3
+        });
+        let outlier = DVec2::new(-1e9, 1e8);
+        let all = grid.chain(spiral).chain(cluster).chain([outlier]);
+        PointSet::merging_duplicates(all.collect()).unwrap().points
+    }
+
+    #[test]
+    fn density_and_threads_do_not_matter() {
+        let points = uneven_points();
+        for rule in RULES {
+            let expected = brute_force(&points, rule);
+            for threads in [1, 3] {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+                let found = pool.build().unwrap().install(|| neighbours(&points, rule));
+                assert_eq!(found, expected);
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn equals_brute_force(points in point_sets()) {

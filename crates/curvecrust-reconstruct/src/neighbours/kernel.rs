@@ -150,16 +150,17 @@ impl Kernel<'_> {
 #[inline(always)]
 fn gaps(leaf: &Leaf) -> [f64; WIDTH] {
     let mut gaps = [f64::INFINITY; WIDTH];
-    for slot in 1..WIDTH {
+    for (before, gap) in gaps[1..].iter_mut().enumerate() {
         let (x, y) = (
-            leaf.x[slot] - leaf.x[slot - 1],
-            leaf.y[slot] - leaf.y[slot - 1],
+            leaf.x[before + 1] - leaf.x[before],
+            leaf.y[before + 1] - leaf.y[before],
         );
         let squared = x * x + y * y;
-        gaps[slot] = if squared < f64::INFINITY {
+        // Not for the NaN of missing points.
+        *gap = if squared < f64::INFINITY {
             squared
         } else {
-            f64::INFINITY
+            *gap
         };
     }
     gaps
