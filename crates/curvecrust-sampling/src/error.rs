@@ -72,6 +72,26 @@ pub enum SamplingError {
         /// The largest distance that is taken.
         tolerance: f64,
     },
+    /// The samples to begin with are not enough for the algorithm.
+    #[error(
+        "{algorithm} does not return the manifold boundary of the samples to begin with: take samples of a \
+         condition that it is proven for"
+    )]
+    NotReconstructed {
+        /// Its name.
+        algorithm: &'static str,
+    },
+    /// The samples to begin with do not keep the limit of deviation.
+    #[error(
+        "after the sample at dense point {dense}, component {component} is too far from its chord: \
+         begin with samples that keep the limit"
+    )]
+    LimitExceeded {
+        /// Index of the component.
+        component: usize,
+        /// The dense point that is the sample before the interval.
+        dense: usize,
+    },
     /// A parameter is out of its range.
     #[error("{name} is {value}: it must be {range}")]
     Parameter {

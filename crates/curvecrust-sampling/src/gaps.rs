@@ -19,6 +19,7 @@ use curvecrust_geometry::{DVec2, Segment};
 use curvecrust_medial_axis::Measured;
 
 use crate::condition::{Bound, Condition};
+use crate::verified::DeviationLimit;
 
 /// What rounding could take from any of the lengths that are compared.
 const SAFE: f64 = 1.0 - 1e-9;
@@ -160,9 +161,25 @@ impl<'a> Gaps<'a> {
                 Bound::Rho(_) => self.least_lfs(from, to),
             },
         };
+        let of_run = |run, ends| interval.holds_on(run, ends);
+        let of_gap = |at| interval.holds_where_the_nearer_changes(self, at);
         self.stretches(from, to)
             .into_iter()
-            .all(|(start, end)| self.holds_along(&interval, start, end))
+            .all(|(start, end)| self.all_along(start, end, of_run, of_gap))
+    }
+
+    /// Whether the curve from one position to a later one stays within a limit of the chord.
+    pub(crate) fn keeps(&self, limit: DeviationLimit, from: usize, to: usize) -> bool {
+        let chord = Segment::new(self.point(from), self.point(to));
+        let keeps = |run: Run, ends| match limit {
+            DeviationLimit::None => true,
+            DeviationLimit::Length(limit) => within(limit, chord, run, ends),
+            DeviationLimit::OfLfs(fraction) => within(fraction * run.lfs, chord, run, ends),
+        };
+        let stretches = self.stretches(from, to).into_iter();
+        stretches
+            .into_iter()
+            .all(|(start, end)| self.all_along(start, end, keeps, |_| false))
     }
 
     /// The last position, at most `end`, up to which the condition holds from `from` on; `None` if
@@ -232,25 +249,27 @@ impl<'a> Gaps<'a> {
         least
     }
 
-    fn holds_along(&self, interval: &Interval, start: usize, end: usize) -> bool {
+    /// Whether something is known of the whole curve between two positions of one round: it is asked of wide
+    /// runs first, given with their ends, and of single gaps, by their position, at last.
+    fn all_along(
+        &self,
+        start: usize,
+        end: usize,
+        of_run: impl Fn(Run, [DVec2; 2]) -> bool,
+        of_gap: impl Fn(usize) -> bool,
+    ) -> bool {
         let mut at = start;
         while at < end {
             let mut level = widest(at, end);
             loop {
                 let width = 1 << level;
                 let ends = [self.point(at), self.point(at + width)];
-                if interval.holds_on(self.levels[level][at >> level], ends) {
+                if of_run(self.levels[level][at >> level], ends) || (level == 0 && of_gap(at)) {
                     at += width;
                     break;
                 }
                 if level == 0 {
-                    let lfs = [self.lfs(at), self.lfs(at + 1)];
-                    let run = self.levels[0][at];
-                    if !interval.holds_where_the_nearer_changes(run, ends, lfs, self.arc(at)) {
-                        return false;
-                    }
-                    at += 1;
-                    break;
+                    return false;
                 }
                 level -= 1;
             }
@@ -294,18 +313,16 @@ impl Interval {
         let squared = allowed * allowed;
         let near =
             |s: DVec2| s.distance_squared(start) < squared && s.distance_squared(end) < squared;
-        allowed > 0.0 && (near(self.ends[0]) || near(self.ends[1])) && self.within(run, start, end)
+        allowed > 0.0
+            && (near(self.ends[0]) || near(self.ends[1]))
+            && self.keeps_limit(run, [start, end])
     }
 
     /// Whether the condition holds along a gap, whichever sample is nearer to its points: the
     /// distance to the nearer one grows from either end by no more than the length of the arc.
-    fn holds_where_the_nearer_changes(
-        &self,
-        gap: Run,
-        [start, end]: [DVec2; 2],
-        lfs: [f64; 2],
-        arc: f64,
-    ) -> bool {
+    fn holds_where_the_nearer_changes(&self, gaps: &Gaps, at: usize) -> bool {
+        let [start, end] = [gaps.point(at), gaps.point(at + 1)];
+        let (lfs, arc) = ([gaps.lfs(at), gaps.lfs(at + 1)], gaps.arc(at));
         let nearer = |p: DVec2| p.distance(self.ends[0]).min(p.distance(self.ends[1]));
         let (before, after) = (nearer(start), nearer(end));
         let holds = match self.condition.bound() {
@@ -320,19 +337,22 @@ impl Interval {
                 before.max(after).max((before + after + arc) / 2.0) < allowed
             }
         };
-        holds && self.within(gap, start, end)
+        holds && self.keeps_limit(gaps.gap(at), [start, end])
     }
 
-    /// Whether a run keeps to the Hausdorff limit.
-    fn within(&self, run: Run, start: DVec2, end: DVec2) -> bool {
-        let Some(limit) = self.condition.hausdorff_limit() else {
-            return true;
-        };
+    fn keeps_limit(&self, run: Run, ends: [DVec2; 2]) -> bool {
         let chord = Segment::new(self.ends[0], self.ends[1]);
-        let allowed = SAFE * limit - run.bulge;
-        let squared = allowed * allowed;
-        allowed > 0.0
-            && chord.distance_squared(start) < squared
-            && chord.distance_squared(end) < squared
+        let limit = self.condition.hausdorff_limit();
+        limit.is_none_or(|limit| within(limit, chord, run, ends))
     }
+}
+
+/// Whether a run is within a limit of a chord.
+fn within(limit: f64, chord: Segment, run: Run, ends: [DVec2; 2]) -> bool {
+    let allowed = SAFE * limit - run.bulge;
+    let squared = allowed * allowed;
+    allowed > 0.0
+        && ends
+            .into_iter()
+            .all(|p| chord.distance_squared(p) < squared)
 }

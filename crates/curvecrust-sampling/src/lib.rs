@@ -8,6 +8,7 @@
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
 //! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
 //! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
+//! | [`verified`] | [`sample_verified`]: as few as an algorithm still reconstructs, without guarantee | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
 //! | [`noise`] | [`with_noise`], [`with_outliers`]: samples that went wrong | |
@@ -45,6 +46,7 @@ mod random;
 pub mod sampled_curve;
 pub mod theory;
 pub mod uneven;
+pub mod verified;
 
 pub use certified::{CertifiedSampling, sample, sample_curve};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
@@ -56,3 +58,4 @@ pub use noise::{Noise, NoiseShape, NoiseSize, with_noise, with_outliers};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
 pub use uneven::{sample_unevenly, sample_uniformly};
+pub use verified::{DeviationLimit, Verification, VerifiedSampling, sample_verified};

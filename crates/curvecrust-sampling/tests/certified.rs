@@ -48,8 +48,10 @@ fn brute_force(fine: &Fine, sampled: &SampledCurve, condition: Condition) -> [f6
             .clone()
             .map(|s| {
                 let param = sampled.params()[s];
-                let found = range.clone().find(|&i| fine.dense.params()[i] == param);
-                found.unwrap()
+                let here = &fine.dense.params()[range.clone()];
+                let at = here.partition_point(|p| *p < param);
+                assert_eq!(here[at], param);
+                range.start + at
             })
             .collect();
         let mut ends: Vec<(usize, usize)> = places.windows(2).map(|w| (w[0], w[1])).collect();
@@ -125,9 +127,12 @@ fn recheck(name: &str, curve: &Curve, gap_to_lfs: f64) -> [f64; 2] {
 #[test]
 fn fixtures_hold_at_every_point() {
     fixtures().par_iter().for_each(|(name, curve)| {
-        let gap_to_lfs = if name == "nautilus" { 0.05 } else { 0.02 };
-        let found = recheck(name, curve, gap_to_lfs);
-        eprintln!("{name}: {found:?}");
+        let gap_to_lfs = if name == "nautilus" { 0.08 } else { 0.02 };
+        let [_, share] = recheck(name, curve, gap_to_lfs);
+        assert!(
+            share < 1.1,
+            "{name}: {share} times the samples of dense points"
+        );
     });
 }
 
@@ -148,9 +153,12 @@ fn random_curves_hold_at_every_point() {
     let worst = curves
         .par_iter()
         .enumerate()
-        .map(|(i, curve)| recheck(&format!("curve {i}"), curve, 0.04));
+        .map(|(i, curve)| recheck(&format!("curve {i}"), curve, 0.06));
     let worst = worst.reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-    eprintln!("{worst:?}, {refused} refused");
+    assert!(
+        worst[0] > 0.99,
+        "the checker looks at what matters: {worst:?}"
+    );
 }
 
 #[test]

@@ -13,13 +13,17 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("curve", &["geometry"]),
     ("voronoi", &["geometry"]),
     ("medial-axis", &["geometry", "curve", "voronoi"]),
-    ("sampling", &["geometry", "curve", "voronoi", "medial-axis"]),
+    // An algorithm sees bare points: neither curves nor what is derived from them.
+    ("reconstruct", &["geometry", "voronoi"]),
+    // Samples are verified by an algorithm; nothing leads back.
+    (
+        "sampling",
+        &["geometry", "curve", "voronoi", "medial-axis", "reconstruct"],
+    ),
     (
         "evaluate",
         &["geometry", "curve", "voronoi", "medial-axis", "sampling"],
     ),
-    // An algorithm sees bare points: neither curves nor what is derived from them.
-    ("reconstruct", &["geometry", "voronoi"]),
     ("report", BELOW_REPORT),
     ("curvecrust", ALL_BUT_FACADE),
 ];

@@ -1,0 +1,128 @@
+//! The samples of all components, to be changed.
+
+use std::ops::Range;
+
+use curvecrust_curve::DenseComponent;
+use curvecrust_geometry::DVec2;
+use curvecrust_medial_axis::Measured;
+
+use super::DeviationLimit;
+use crate::gaps::Gaps;
+use crate::sampled_curve::SampledCurve;
+
+/// The samples of a component, by the dense points that they are.
+#[derive(Clone, Debug)]
+pub(crate) struct Chain {
+    pub(crate) closed: bool,
+    /// Ascending, but for one place where a closed chain passes the first dense point.
+    pub(crate) samples: Vec<usize>,
+    range: Range<usize>,
+}
+
+/// A sample: index of its chain, and of itself there.
+pub(crate) type Place = (usize, usize);
+
+/// The samples of all components.
+#[derive(Clone, Debug)]
+pub(crate) struct Chains<'a> {
+    points: &'a [DVec2],
+    pub(crate) chains: Vec<Chain>,
+}
+
+impl Chain {
+    /// The samples before and after one; an open end has one of them.
+    pub(crate) fn neighbours(&self, at: usize) -> [Option<usize>; 2] {
+        let count = self.samples.len();
+        let before = match at.checked_sub(1) {
+            None if self.closed => Some(count - 1),
+            before => before,
+        };
+        let after = if at + 1 < count {
+            Some(at + 1)
+        } else {
+            self.closed.then_some(0)
+        };
+        [before, after].map(|at| at.map(|at| self.samples[at]))
+    }
+
+    /// The fewest samples that make a chain.
+    pub(crate) fn least(&self) -> usize {
+        if self.closed { 3 } else { 2 }
+    }
+
+    /// The dense points strictly between two.
+    pub(crate) fn between(&self, from: usize, to: usize) -> usize {
+        let ahead = if to > from {
+            to - from
+        } else {
+            to + self.range.len() - from
+        };
+        ahead - 1
+    }
+
+    /// The dense point so many after another.
+    pub(crate) fn after(&self, from: usize, by: usize) -> usize {
+        let at = from + by;
+        if at < self.range.end {
+            at
+        } else {
+            at - self.range.len()
+        }
+    }
+
+    /// Whether the curve between two samples keeps the limit.
+    pub(crate) fn keeps(&self, gaps: &Gaps, limit: DeviationLimit, from: usize, to: usize) -> bool {
+        let (from, to) = (from - self.range.start, to - self.range.start);
+        let to = if to > from { to } else { to + gaps.len() };
+        gaps.keeps(limit, from, to)
+    }
+}
+
+impl<'a> Chains<'a> {
+    pub(crate) fn new(measured: &'a Measured, sampled: &SampledCurve) -> Self {
+        let components = measured.dense().components().iter();
+        let chain = |(dense, samples): (&DenseComponent, Range<usize>)| Chain {
+            closed: dense.closed,
+            samples: sampled.dense_indices()[samples].to_vec(),
+            range: dense.range.clone(),
+        };
+        let ranges = sampled.components().iter().map(|c| c.range.clone());
+        Self {
+            points: measured.dense().points(),
+            chains: components.zip(ranges).map(chain).collect(),
+        }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.chains.iter().map(|chain| chain.samples.len()).sum()
+    }
+
+    pub(crate) fn point(&self, dense: usize) -> DVec2 {
+        self.points[dense]
+    }
+
+    /// Every sample.
+    pub(crate) fn places(&self) -> impl Iterator<Item = Place> + '_ {
+        let chains = self.chains.iter().enumerate();
+        chains.flat_map(|(chain, c)| (0..c.samples.len()).map(move |at| (chain, at)))
+    }
+
+    /// A component and its sample after which the curve is beyond the limit.
+    pub(crate) fn beyond(&self, gaps: &[Gaps], limit: DeviationLimit) -> Option<(usize, usize)> {
+        self.places().find_map(|(chain, at)| {
+            let this = &self.chains[chain];
+            let (from, to) = (this.samples[at], this.neighbours(at)[1]?);
+            (!this.keeps(&gaps[chain], limit, from, to)).then_some((chain, from))
+        })
+    }
+
+    pub(crate) fn sampled(&self, measured: &Measured) -> SampledCurve {
+        let mut sampled = SampledCurve::default();
+        for chain in &self.chains {
+            let mut samples = chain.samples.clone();
+            samples.sort_unstable();
+            sampled.push_component(measured.dense(), samples.into_iter(), chain.closed);
+        }
+        sampled
+    }
+}

@@ -1,0 +1,193 @@
+//! Whether an algorithm still returns the manifold boundary after a step.
+
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
+use curvecrust_reconstruct::{HnnCrust, Reconstructor};
+
+use super::DeviationLimit;
+use super::chain::{Chains, Place};
+use crate::gaps::Gaps;
+
+/// Distances that differ by less than this fraction of their squares count as equal, and as a failure.
+const TIE: f64 = 1.0 + 1e-9;
+
+/// What a sampling has to keep.
+pub(crate) struct Oracle<'a> {
+    algorithm: &'a dyn Reconstructor,
+    limit: DeviationLimit,
+    gaps: &'a [Gaps<'a>],
+    is_hnn_crust: bool,
+}
+
+impl<'a> Oracle<'a> {
+    pub(crate) fn new(
+        algorithm: &'a dyn Reconstructor,
+        limit: DeviationLimit,
+        gaps: &'a [Gaps<'a>],
+    ) -> Self {
+        Self {
+            algorithm,
+            limit,
+            gaps,
+            is_hnn_crust: algorithm.info() == HnnCrust::MUTUAL.info(),
+        }
+    }
+
+    /// Whether samples keep everything, when they did before the `touched` ones of a chain, which are in a row,
+    /// were put in the place of others or became neighbours. The dense points in `added` are new samples.
+    pub(crate) fn accepts(
+        &self,
+        chains: &Chains,
+        chain: usize,
+        touched: impl Iterator<Item = usize> + Clone,
+        added: &[usize],
+    ) -> bool {
+        self.keeps_limit(chains, chain, touched.clone())
+            && if self.is_hnn_crust {
+                touched
+                    .clone()
+                    .all(|at| chooses_its_neighbours(chains, (chain, at)))
+                    && added.iter().all(|&x| disturbs_none(chains, x))
+            } else {
+                self.reconstructs(chains)
+            }
+    }
+
+    /// Whether the intervals between touched samples keep the limit.
+    fn keeps_limit(
+        &self,
+        chains: &Chains,
+        chain: usize,
+        mut touched: impl Iterator<Item = usize>,
+    ) -> bool {
+        let this = &chains.chains[chain];
+        let mut last: Option<usize> = None;
+        touched.all(|at| {
+            let to = this.samples[at];
+            let keeps = last.is_none_or(|from| this.keeps(&self.gaps[chain], self.limit, from, to));
+            last = Some(to);
+            keeps
+        })
+    }
+
+    fn reconstructs(&self, chains: &Chains) -> bool {
+        let points = chains
+            .places()
+            .map(|(c, at)| chains.point(chains.chains[c].samples[at]));
+        let Ok(points) = PointSet::new(points.collect()) else {
+            return false;
+        };
+        let mut edges = Vec::with_capacity(points.len());
+        let mut first = 0;
+        for chain in &chains.chains {
+            let count = chain.samples.len();
+            let joined = if chain.closed { count } else { count - 1 };
+            edges.extend((0..joined).filter_map(|i| {
+                let ends = [first + i, first + (i + 1) % count].map(PointId::new);
+                Edge::new(ends[0]?, ends[1]?)
+            }));
+            first += count;
+        }
+        self.algorithm.reconstruct(&points) == EdgeSet::new(first, edges)
+    }
+}
+
+/// Whether HNN-Crust lets a sample choose its two neighbours on the curve, by a clear margin.
+fn chooses_its_neighbours(chains: &Chains, (chain, at): Place) -> bool {
+    let this = &chains.chains[chain];
+    let dense = this.samples[at];
+    let s = chains.point(dense);
+    let [before, after] = this.neighbours(at);
+    let (Some(before), Some(after)) = (before, after) else {
+        return before
+            .or(after)
+            .is_some_and(|only| is_a_clear_end(chains, dense, only));
+    };
+    let choice = Choice::new(s, chains.point(before), chains.point(after));
+    let others = all(chains).filter(|&q| q != dense && q != before && q != after);
+    choice.is_clear() && others.into_iter().all(|q| choice.keeps(chains.point(q)))
+}
+
+/// Whether a new sample changes no choice of samples that are not beside it.
+fn disturbs_none(chains: &Chains, added: usize) -> bool {
+    let x = chains.point(added);
+    chains.places().all(|(chain, at)| {
+        let this = &chains.chains[chain];
+        let dense = this.samples[at];
+        match this.neighbours(at) {
+            [Some(a), Some(b)] if dense != added && a != added && b != added => {
+                Choice::new(chains.point(dense), chains.point(a), chains.point(b)).keeps(x)
+            }
+            [Some(only), None] | [None, Some(only)] if dense != added && only != added => {
+                is_a_clear_end(chains, dense, only)
+            }
+            _ => true,
+        }
+    })
+}
+
+/// Whether an open end has its neighbour as the nearest sample, and no other open end as the half neighbour:
+/// a sample inside a curve does not return the choice.
+fn is_a_clear_end(chains: &Chains, end: usize, neighbour: usize) -> bool {
+    let (s, n) = (chains.point(end), chains.point(neighbour));
+    let nearest = s.distance_squared(n);
+    let others = || all(chains).filter(|&q| q != end && q != neighbour);
+    let is_nearest = others().all(|q| s.distance_squared(chains.point(q)) > TIE * nearest);
+    let in_half_plane = |&q: &usize| {
+        let q = chains.point(q);
+        s.distance_squared(q) < TIE * n.distance_squared(q)
+    };
+    let half = others().filter(in_half_plane).min_by(|&p, &q| {
+        let by = |q| s.distance_squared(chains.point(q));
+        by(p).total_cmp(&by(q))
+    });
+    let is_end = |q: usize| {
+        let open = chains.chains.iter().filter(|c| !c.closed);
+        open.flat_map(|c| [c.samples.first(), c.samples.last()])
+            .any(|end| end == Some(&q))
+    };
+    is_nearest && !half.is_some_and(is_end)
+}
+
+fn all<'a>(chains: &'a Chains<'_>) -> impl Iterator<Item = usize> + Clone + 'a {
+    chains.chains.iter().flat_map(|c| c.samples.iter().copied())
+}
+
+/// A nearest and a half neighbour.
+struct Choice {
+    s: DVec2,
+    nearest: DVec2,
+    half: DVec2,
+    /// Squared distances.
+    to_nearest: f64,
+    to_half: f64,
+}
+
+impl Choice {
+    fn new(s: DVec2, a: DVec2, b: DVec2) -> Self {
+        let (to_a, to_b) = (s.distance_squared(a), s.distance_squared(b));
+        let [(to_nearest, nearest), (to_half, half)] = if to_a < to_b {
+            [(to_a, a), (to_b, b)]
+        } else {
+            [(to_b, b), (to_a, a)]
+        };
+        Self {
+            s,
+            nearest,
+            half,
+            to_nearest,
+            to_half,
+        }
+    }
+
+    /// Whether it is one, if there were no other samples. Which of two is nearer does not matter.
+    fn is_clear(&self) -> bool {
+        TIE * self.to_half < self.half.distance_squared(self.nearest)
+    }
+
+    /// Whether it is still the choice when there is another sample.
+    fn keeps(&self, q: DVec2) -> bool {
+        let to_q = self.s.distance_squared(q);
+        to_q > TIE * self.to_nearest
+            && (to_q > TIE * self.to_half || to_q > TIE * q.distance_squared(self.nearest))
+    }
+}

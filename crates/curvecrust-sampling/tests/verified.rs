@@ -1,0 +1,180 @@
+//! Samplings beyond the bound: what they keep, and that local steps decide as full runs would.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+mod common;
+
+use common::fixtures;
+use curvecrust_curve::Curve;
+use curvecrust_geometry::{EdgeSet, PointSet, Segment};
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_reconstruct::{AlgorithmInfo, Crust, HnnCrust, Reconstructor, hnn_crust};
+use curvecrust_sampling::{
+    Condition, DeviationLimit, SampledCurve, SamplingError, Verification, sample, sample_uniformly,
+    sample_verified,
+};
+
+fn measured(curve: &Curve) -> Measured {
+    measure(
+        curve,
+        Discretisation::Adaptive { gap_to_lfs: 0.03 },
+        Estimator::Voronoi,
+    )
+    .unwrap()
+}
+
+fn fixture(wanted: &str) -> Measured {
+    let all = fixtures();
+    measured(&all.iter().find(|(name, _)| name == wanted).unwrap().1)
+}
+
+fn start(measured: &Measured) -> SampledCurve {
+    sample(measured, Condition::rho(0.9).unwrap())
+        .unwrap()
+        .samples
+}
+
+fn verification(algorithm: &dyn Reconstructor, deviation: DeviationLimit) -> Verification<'_> {
+    Verification {
+        algorithm,
+        deviation,
+        rounds: 10,
+        seed: 2,
+    }
+}
+
+/// The largest distance of a dense point to the chord of its interval, as a fraction of its lfs.
+fn deviation(measured: &Measured, sampled: &SampledCurve) -> f64 {
+    let (dense, mut worst) = (measured.dense(), 0.0f64);
+    for component in sampled.components() {
+        let samples = &sampled.dense_indices()[component.range.clone()];
+        let next = samples.iter().cycle().skip(1);
+        let joined = samples.len() - usize::from(!component.closed);
+        for (&from, &to) in samples.iter().zip(next).take(joined) {
+            let chord = Segment::new(dense.points()[from], dense.points()[to]);
+            let mut at = from;
+            while at != to {
+                worst = worst.max(chord.distance(dense.points()[at]) / measured.lfs().at(at));
+                at = dense.next(at).unwrap();
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn fewer_samples_are_reconstructed_all_the_same() {
+    for (name, most) in [
+        ("teaser", 0.85),
+        ("bunny", 0.8),
+        ("berries", 0.9),
+        ("wave", 0.9),
+    ] {
+        let measured = fixture(name);
+        let start = start(&measured);
+        let verification = verification(&HnnCrust::MUTUAL, DeviationLimit::OfLfs(0.9));
+        let found = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+        let samples = &found.samples;
+        assert!(
+            (samples.len() as f64) < most * start.len() as f64,
+            "{name} {}",
+            samples.len()
+        );
+        assert_eq!(
+            hnn_crust(&samples.point_set().unwrap()),
+            samples.manifold_boundary()
+        );
+        assert!(deviation(&measured, samples) < 0.9);
+        assert_eq!(samples.components().len(), start.components().len());
+        let again = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+        assert_eq!(found, again);
+    }
+}
+
+/// HNN-Crust under another name: nothing is known of what a step can change.
+#[derive(Debug)]
+struct Unknown;
+
+impl Reconstructor for Unknown {
+    fn info(&self) -> AlgorithmInfo {
+        AlgorithmInfo {
+            name: "unknown",
+            ..HnnCrust::MUTUAL.info()
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        hnn_crust(points)
+    }
+}
+
+#[test]
+fn local_steps_decide_as_full_runs() {
+    for name in ["teaser", "berries", "bunny"] {
+        let measured = fixture(name);
+        let start = start(&measured);
+        let run = |algorithm: &dyn Reconstructor| {
+            let mut verification = verification(algorithm, DeviationLimit::OfLfs(0.9));
+            verification.rounds = 3;
+            sample_verified(&measured, &start, verification, &|_, _| {})
+                .unwrap()
+                .samples
+        };
+        assert_eq!(run(&HnnCrust::MUTUAL), run(&Unknown), "{name}");
+    }
+}
+
+#[test]
+fn other_algorithms_and_limits() {
+    let measured = fixture("teaser");
+    let start = sample(&measured, Condition::epsilon(0.2).unwrap())
+        .unwrap()
+        .samples;
+    let limit = DeviationLimit::Length(0.5 * measured.lfs().minimum());
+    let found = sample_verified(&measured, &start, verification(&Crust, limit), &|_, _| {});
+    let found = found.unwrap();
+    assert!(found.samples.len() < start.len() / 2);
+    let points = found.samples.point_set().unwrap();
+    assert_eq!(
+        Crust.reconstruct(&points),
+        found.samples.manifold_boundary()
+    );
+    assert_eq!(found.algorithm, "crust");
+
+    // Without a limit what is left need not look like the curve.
+    let none = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
+    let few = sample_verified(&measured, &start, none, &|_, _| {})
+        .unwrap()
+        .samples;
+    assert!(few.len() < 10 && deviation(&measured, &few) > 1.0);
+}
+
+#[test]
+fn what_is_no_start_is_refused() {
+    let measured = fixture("teaser");
+    let coarse = sample_uniformly(&measured, 150.0).unwrap();
+    let verify = |start: &SampledCurve, limit| {
+        sample_verified(
+            &measured,
+            start,
+            verification(&HnnCrust::MUTUAL, limit),
+            &|_, _| {},
+        )
+    };
+    let refused = verify(&coarse, DeviationLimit::None);
+    assert!(matches!(
+        refused,
+        Err(SamplingError::NotReconstructed {
+            algorithm: "hnn-crust"
+        })
+    ));
+    let refused = verify(&start(&measured), DeviationLimit::Length(1e-3));
+    assert!(matches!(
+        refused,
+        Err(SamplingError::LimitExceeded { component: 0, .. })
+    ));
+    let refused = verify(&start(&fixture("bunny")), DeviationLimit::None);
+    assert!(matches!(
+        refused,
+        Err(SamplingError::NoSuchPlace { .. } | SamplingError::OffCurve { .. })
+    ));
+}
