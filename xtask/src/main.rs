@@ -39,7 +39,7 @@ enum Task {
     Bench(bench::Args),
     /// Draw and write the generated files under docs, or check that they are fresh
     Docs(docs::Args),
-    /// Reproduce Tables 1 to 3 of "Curve Reconstruction with Many Fewer Samples"
+    /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
 }
 

@@ -1,7 +1,8 @@
 //! `cargo xtask reproduce-paper`: Tables 1 to 3 of the paper, measured and set beside the printed
-//! numbers, each sampling reconstructed.
+//! numbers, each sampling reconstructed; and its figures.
 
-mod models;
+pub(crate) mod figures;
+pub(crate) mod models;
 mod tables;
 #[cfg(test)]
 mod tests;
@@ -31,6 +32,9 @@ pub(crate) struct Args {
     /// Only this discretisation
     #[arg(long, value_enum)]
     discretisation: Option<Discretisation>,
+    /// Draw Figures 1, 3, 4, 8, 9, 10 and 11, and a page with them and the tables, report.html
+    #[arg(long)]
+    figures: bool,
     /// Print the JSON to stdout, instead of the tables
     #[arg(long)]
     json: bool,
@@ -79,6 +83,11 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
         "wrote tables.md, tables.csv and tables.json under {}",
         folder.display()
     );
+
+    if args.figures {
+        figures::write(&report, &models, &folder)?;
+        eprintln!("drew figures 1, 3, 4, 8, 9, 10 and 11 and report.html there");
+    }
 
     let failures = report.agreement();
     for failure in &failures {

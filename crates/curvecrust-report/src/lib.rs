@@ -5,13 +5,16 @@
 //! | [`published`] | the numbers that the paper prints in its Tables 1 to 3 |
 //! | [`paper`] | rows of those tables as measured, and their [agreement](paper::PaperReport::agreement) with the paper |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
-//! | [`render`] | the same as Markdown, CSV and JSON |
+//! | [`render`] | tables as Markdown, CSV and JSON |
+//! | [`html`] | tables and figures as one page |
 
 mod agreement;
 pub mod figure;
+pub mod html;
 pub mod paper;
 pub mod published;
 pub mod render;
 
 pub use figure::{Figure, Layer, Panel};
+pub use html::Exhibit;
 pub use paper::{Counts, CurveOrigin, PaperReport, Setting, Table1Row, Table2Row, Table3Row};

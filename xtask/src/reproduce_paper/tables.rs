@@ -50,7 +50,7 @@ impl Run {
         }
     }
 
-    fn measure(self, model: &Model) -> anyhow::Result<Measured> {
+    pub(super) fn measure(self, model: &Model) -> anyhow::Result<Measured> {
         let (points, estimator) = match self {
             Self::Voronoi(points) => (points, Estimator::Voronoi),
             Self::ShrinkingBall(points) => (points, Estimator::ShrinkingBall),

@@ -1,0 +1,134 @@
+//! Draws Figure 8; its geometry is in [`rolling`](super::rolling).
+
+use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface};
+use curvecrust::DVec2;
+use curvecrust::report::Exhibit;
+use curvecrust::report::figure::{Ball, Figure, Layer, Panel, Polyline};
+use std::f64::consts::TAU;
+
+/// How many positions of a ball are drawn for a turn of its centre around a free disk.
+pub(super) const BALLS: u32 = 72;
+/// Points of a drawn turn.
+const FINE: u32 = 180;
+
+/// The eight configurations.
+pub(super) fn figure_8() -> Exhibit {
+    let text = "Why s2 is the half neighbour of s1 for ρ = 0.9. Balls that touch the curve, or the x axis as a bound \
+        of it, hold no sample; they cover what O(s1, |s1 s2|) and the half-plane H beyond the bisector of s0 and s1 have in common \
+        on the side of s0. So no sample there can be nearer than s2. The ratio is that of |x s1| to |s1 y|, α and β are the angles of x and y below the tangent \
+        at s1: at most 26.7° for y, and less for an x nearer than y. In the fourth case the balls reach the corner barely: 0.9 is \
+        close to tight.";
+    Exhibit {
+        number: 8,
+        heading: "rolling balls around s1".to_owned(),
+        text: text.to_owned(),
+        figure: Figure {
+            title: "Tangent balls that cover the disk around s1 in the half-plane H, in eight configurations"
+                .to_owned(),
+            columns: 4,
+            panels: CONFIGURATIONS.iter().map(panel).collect(),
+        },
+    }
+}
+
+fn panel(configuration: &Configuration) -> Panel {
+    let scene = configuration.scene();
+    let [alpha, beta] = scene.angles.map(f64::to_degrees);
+    let surface = match configuration.surface {
+        Surface::Disk => "the disk of lfs(y)",
+        Surface::Axis => "the x axis",
+    };
+    let names = [
+        (scene.s0 - DVec2::new(0.3, 0.0), "s0"),
+        (scene.x, "x"),
+        (DVec2::ZERO, "s1"),
+        (scene.y, "y"),
+        (scene.s2, "s2"),
+    ];
+    // Names that would stand on each other are left out, s0 and x for the smallest ratio.
+    let apart =
+        |&(_, name): &(DVec2, &str)| configuration.ratio > 0.01 || !["s0", "x"].contains(&name);
+    let names = names.into_iter().filter(apart);
+    let balls = scene.rolling(BALLS).into_iter();
+    let layers = vec![
+        Layer::Balls(
+            balls
+                .map(|ball| Ball {
+                    centre: page(ball.centre),
+                    ..ball
+                })
+                .collect(),
+        ),
+        Layer::Region(turned(scene.region(FINE))),
+        Layer::Construction(construction(&scene, configuration.surface)),
+        Layer::Curve(vec![(turned(curve(&scene)), false)]),
+        Layer::Marks([scene.x, scene.y].map(page).to_vec()),
+        Layer::Points([scene.s0, DVec2::ZERO, scene.s2].map(page).to_vec()),
+        Layer::Labels(names.map(|(p, name)| (page(p), name.to_owned())).collect()),
+    ];
+    Panel {
+        caption: format!(
+            "ratio {:.3}, α {alpha:.1}°, β {beta:.1}°,\nrolling on {surface}",
+            configuration.ratio
+        ),
+        frame: Some([DVec2::new(-2.65, -2.05), DVec2::new(2.2, 2.0)]),
+        layers,
+    }
+}
+
+/// Upwards in the geometry is downwards on the page.
+fn page(p: DVec2) -> DVec2 {
+    DVec2::new(p.x, -p.y)
+}
+
+fn turned(points: Vec<DVec2>) -> Vec<DVec2> {
+    points.into_iter().map(page).collect()
+}
+
+/// From s0 to s2, of constant curvature on both sides of s1.
+fn curve(scene: &Scene) -> Vec<DVec2> {
+    let [alpha, beta] = scene.angles;
+    let side = |angle: f64, end: DVec2| {
+        let (turn, length) = (4.0 * angle, end.length());
+        (1..=FINE).map(move |i| {
+            let part = f64::from(i) / f64::from(FINE);
+            if angle > 0.0 {
+                let radius = length / (2.0 * (2.0 * angle).sin());
+                let (sin, cos) = (part * turn).sin_cos();
+                radius * DVec2::new(sin * end.x.signum(), cos - 1.0)
+            } else {
+                part * end
+            }
+        })
+    };
+    let mut points: Vec<DVec2> = side(alpha, scene.s0).collect();
+    points.reverse();
+    points.push(DVec2::ZERO);
+    points.extend(side(beta, scene.s2));
+    points
+}
+
+/// The disk around s1, the bisector of s0 and s1, and what the balls roll on.
+fn construction(scene: &Scene, surface: Surface) -> Vec<Polyline> {
+    let circle = |centre: DVec2, radius: f64| {
+        let turn = (0..FINE).map(|i| TAU * f64::from(i) / f64::from(FINE));
+        let points = turn.map(|angle| centre + radius * DVec2::from_angle(angle));
+        (turned(points.collect()), true)
+    };
+    let middle = scene.s0 / 2.0;
+    let along = scene.s0.normalize().perp();
+    let reach = (scene.radius().powi(2) - middle.length_squared()).sqrt();
+    let bisector = [-1.08, 1.0].map(|sign| middle + sign * reach * along);
+    let surface = match surface {
+        Surface::Disk => circle(DVec2::new(0.0, -scene.bend), scene.bend),
+        Surface::Axis => (
+            [DVec2::new(-2.6, 0.0), DVec2::new(1.95, 0.0)].to_vec(),
+            false,
+        ),
+    };
+    vec![
+        circle(DVec2::ZERO, scene.radius()),
+        (turned(bisector.to_vec()), false),
+        surface,
+    ]
+}
