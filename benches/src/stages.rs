@@ -44,10 +44,10 @@ impl Sizes {
 }
 
 /// Whether the kernel chooses its instructions at run time.
-const DISPATCH: &str = if cfg!(feature = "simd") {
-    ""
-} else {
+const DISPATCH: &str = if cfg!(feature = "portable") {
     ", dispatch off"
+} else {
+    ""
 };
 
 /// HNN-Crust against kiddo, on one thread.
@@ -58,7 +58,13 @@ const DISPATCH: &str = if cfg!(feature = "simd") {
 /// # Panics
 /// If the edges are not those of the same algorithm on kiddo, on planted curves those planted.
 pub fn against_kiddo(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
-    let goal = |with: f64| Goal::AtMost(if cfg!(feature = "simd") { with } else { 0.40 });
+    let goal = |with: f64| {
+        Goal::AtMost(if cfg!(feature = "portable") {
+            0.40
+        } else {
+            with
+        })
+    };
     let many = many_curves(sizes.large, 1)?;
     let few = many_curves(sizes.small, 1)?;
     let mixed = mixed_scale(sizes.large, 1)?;
@@ -127,10 +133,10 @@ pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
         goal,
     };
     let on_dispatch = |goal| {
-        if cfg!(feature = "simd") {
-            goal
-        } else {
+        if cfg!(feature = "portable") {
             Goal::None
+        } else {
+            goal
         }
     };
     Ok(vec![

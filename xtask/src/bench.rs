@@ -31,7 +31,7 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
         "summary",
     ]);
     if args.no_dispatch {
-        cargo.arg("--no-default-features");
+        cargo.args(["--features", "portable"]);
     }
     if args.quick {
         cargo.args(["--", "quick"]);

@@ -1,7 +1,7 @@
 //! Runs all comparisons, prints the table of medians and ratios, and writes it to
 //! `target/bench/summary.md` and `.json`; with the argument `quick`, at a tenth of the sizes.
 //!
-//! Built without the feature `simd`, only the neighbour kernel is measured, and the files are named
+//! Built with the feature `portable`, only the neighbour kernel is measured, and the files are named
 //! `summary-no-dispatch`.
 
 #![allow(
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
     let pools = [pool(1)?, pool(2)?];
     let [one, _] = &pools;
-    let dispatch = cfg!(feature = "simd");
+    let dispatch = !cfg!(feature = "portable");
     let mut rows = one.install(|| stages::against_kiddo(sizes))?;
     rows.extend(one.install(|| stages::alone(sizes))?);
     if dispatch {

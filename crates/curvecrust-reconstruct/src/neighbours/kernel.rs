@@ -35,7 +35,7 @@ const JUMP: f64 = 20.0;
 
 /// Makes the choices of one task, those of the points from `TASK * task` on.
 #[cfg_attr(
-    feature = "simd",
+    not(feature = "portable"),
     multiversion::multiversion(targets(
         "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
         "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
