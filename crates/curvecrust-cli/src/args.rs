@@ -2,7 +2,8 @@
 
 use crate::format::Format;
 use clap::builder::PossibleValuesParser;
-use clap::{Parser, Subcommand};
+use clap::{ArgGroup, Parser, Subcommand};
+use clap_complete::Shell;
 use curvecrust::reconstruct::ALGORITHMS;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -36,13 +37,18 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Sample(Sample),
     Reconstruct(Reconstruct),
+    Check(Check),
+    Evaluate(Evaluate),
+    MedialAxis(MedialAxis),
     Lfs(Lfs),
+    Draw(Draw),
     Algorithms(Algorithms),
+    Completions(Completions),
 }
 
 /// Sample the curves of an SVG as sparsely as a condition allows
 #[derive(Debug, clap::Args)]
-#[command(after_help = "\
+#[command(group(ArgGroup::new("bound").args(["rho", "epsilon"]).required(true)), after_help = "\
 Example: as few samples as HNN-Crust needs, none farther than 1 % of the curve's extent from its chords
   curvecrust sample drawing.svg --rho 0.9 --max-distance 1% -o samples.csv")]
 pub(crate) struct Sample {
@@ -78,6 +84,123 @@ pub(crate) struct Reconstruct {
     pub(crate) json: bool,
 }
 
+/// Measure how good samples of a curve are, and whether a condition holds
+///
+/// Prints the smallest epsilon and rho for which the samples satisfy the condition, and the intervals that
+/// violate the one given, in which case the exit status is 1.
+#[derive(Debug, clap::Args)]
+#[command(group(ArgGroup::new("bound").args(["rho", "epsilon"])), after_help = "\
+Example: is HNN-Crust sure to find the curve from these samples?
+  curvecrust check drawing.svg samples.csv --rho 0.9")]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) curve: Curve,
+    #[command(flatten)]
+    pub(crate) points: Points,
+    #[command(flatten)]
+    pub(crate) condition: Condition,
+    #[command(flatten)]
+    pub(crate) tolerance: Tolerance,
+    /// Print one JSON object to stdout
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Compare what algorithms find with the curve that the points were sampled from
+///
+/// The exit status is 1 unless every algorithm finds exactly the edges between consecutive samples.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example: two algorithms on the same samples
+  curvecrust evaluate drawing.svg samples.csv --algorithm hnn-crust --algorithm crust")]
+pub(crate) struct Evaluate {
+    #[command(flatten)]
+    pub(crate) curve: Curve,
+    #[command(flatten)]
+    pub(crate) points: Points,
+    /// An algorithm, and another one: see `curvecrust algorithms`
+    #[arg(long, value_name = "NAME", default_value = "hnn-crust", value_parser = algorithm_names())]
+    pub(crate) algorithm: Vec<String>,
+    #[command(flatten)]
+    pub(crate) tolerance: Tolerance,
+    /// Print one JSON object to stdout
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Compute the medial axis of the curves of an SVG
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example: a picture of a drawing and its medial axis
+  curvecrust medial-axis drawing.svg -o axis.svg")]
+pub(crate) struct MedialAxis {
+    #[command(flatten)]
+    pub(crate) curve: Curve,
+    #[command(flatten)]
+    pub(crate) output: Output,
+    /// Print one JSON object to stdout
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Draw a curve, its medial axis, points and what is found from them, over each other
+#[derive(Debug, clap::Args)]
+#[command(
+    group(ArgGroup::new("what").args(["curve", "points"]).required(true).multiple(true)),
+    after_help = "\
+Example: samples over their curve, with the edges found from them and where they are too few
+  curvecrust draw --curve drawing.svg --points samples.csv --edges --violations -o picture.svg"
+)]
+pub(crate) struct Draw {
+    /// Smooth curves: an SVG document
+    #[arg(long, value_name = "CURVE.svg")]
+    pub(crate) curve: Option<PathBuf>,
+    /// The medial axis of the curve
+    #[arg(long, requires = "curve")]
+    pub(crate) medial_axis: bool,
+    /// The local feature size of the curve, as its colour
+    #[arg(long, requires = "curve")]
+    pub(crate) lfs: bool,
+    /// Points: a file, or - for stdin
+    #[arg(long, value_name = "POINTS")]
+    pub(crate) points: Option<PathBuf>,
+    /// The format of the points, if neither name nor content tells
+    #[arg(long, value_name = "FORMAT", requires = "points")]
+    pub(crate) from: Option<Format>,
+    /// Take equal points for one, instead of refusing them
+    #[arg(long, requires = "points")]
+    pub(crate) merge_duplicates: bool,
+    /// The edges that an algorithm finds between the points
+    #[arg(
+        long,
+        value_name = "NAME",
+        num_args = 0..=1,
+        default_missing_value = "hnn-crust",
+        requires = "points",
+        value_parser = algorithm_names()
+    )]
+    pub(crate) edges: Option<String>,
+    /// Marks at points with another number of edges than on a closed curve
+    #[arg(long, requires = "points")]
+    pub(crate) violations: bool,
+    /// The file to write; - for stdout, which is the default
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Overwrite an existing file
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+/// Print what a shell needs to complete commands and options
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example: for bash
+  curvecrust completions bash > ~/.local/share/bash-completion/completions/curvecrust")]
+pub(crate) struct Completions {
+    /// The shell
+    pub(crate) shell: Shell,
+}
+
 /// Print the local feature size along the curves of an SVG
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -108,11 +231,12 @@ pub(crate) struct Algorithms {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Curve {
     /// Smooth curves: an SVG document, or - for stdin
-    #[arg(value_name = "CURVE.svg")]
+    #[arg(id = "curve_path", value_name = "CURVE.svg")]
     pub(crate) path: PathBuf,
     /// Largest gap between the dense points that stand for the curve, as a share of the local feature size
-    #[arg(long, value_name = "SHARE", default_value_t = 0.02)]
-    pub(crate) gap: f64,
+    /// [default: 0.02, or finer where a condition asks for it]
+    #[arg(long, value_name = "SHARE")]
+    pub(crate) gap: Option<f64>,
     /// So many dense points on each cubic segment instead; 300 in the paper
     #[arg(long, value_name = "N", conflicts_with = "gap")]
     pub(crate) per_segment: Option<u32>,
@@ -122,22 +246,30 @@ pub(crate) struct Curve {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Condition {
     /// Every interval between samples within RHO times its reach; HNN-Crust is proven for 0.9
-    #[arg(long, value_name = "RHO", required_unless_present = "epsilon")]
+    #[arg(long, value_name = "RHO")]
     pub(crate) rho: Option<f64>,
     /// Every point within EPSILON times its local feature size; HNN-Crust is proven for 0.47
-    #[arg(long, value_name = "EPSILON", conflicts_with = "rho")]
+    #[arg(long, value_name = "EPSILON")]
     pub(crate) epsilon: Option<f64>,
     /// No curve point farther than this from the line through its two samples: a length, or a share of the
     /// curve's extent such as 1%
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", requires = "bound")]
     pub(crate) max_distance: Option<Distance>,
+}
+
+/// How near points have to be to a curve to be its samples.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Tolerance {
+    /// Points farther from the curve than this are an error: a length, or a share of the curve's extent
+    #[arg(long, value_name = "LENGTH", default_value = "0.1%")]
+    pub(crate) tolerance: Distance,
 }
 
 /// A file of points.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Points {
     /// Points: a file, or - for stdin
-    #[arg(value_name = "POINTS")]
+    #[arg(id = "points_path", value_name = "POINTS")]
     pub(crate) path: PathBuf,
     /// The format of the points, if neither name nor content tells
     #[arg(long, value_name = "FORMAT")]
@@ -166,6 +298,16 @@ pub(crate) struct Output {
 pub(crate) enum Distance {
     Length(f64),
     Percent(f64),
+}
+
+impl Distance {
+    /// The length that it is for a curve of some extent.
+    pub(crate) fn of_extent(self, extent: f64) -> f64 {
+        match self {
+            Self::Length(length) => length,
+            Self::Percent(share) => share / 100.0 * extent,
+        }
+    }
 }
 
 impl FromStr for Distance {

@@ -43,8 +43,13 @@ fn run(cli: &Cli, console: &Console) -> anyhow::Result<Outcome> {
     match &cli.command {
         Command::Sample(args) => commands::sample::run(args, console),
         Command::Reconstruct(args) => commands::reconstruct::run(args, console),
+        Command::Check(args) => commands::check::run(args, console),
+        Command::Evaluate(args) => commands::evaluate::run(args, console),
+        Command::MedialAxis(args) => commands::medial_axis::run(args, console),
         Command::Lfs(args) => commands::lfs::run(args, console),
+        Command::Draw(args) => commands::draw::run(args, console),
         Command::Algorithms(args) => commands::algorithms::run(args),
+        Command::Completions(args) => commands::completions::run(args),
     }
 }
 

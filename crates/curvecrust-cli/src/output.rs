@@ -1,9 +1,12 @@
 //! Results in files, one module a format.
 
+mod dxf;
 mod geojson;
+pub(crate) mod npy;
 mod number;
 mod svg;
 mod whole;
+mod wkt;
 
 pub(crate) use geojson::Feature;
 pub(crate) use number::Number;
@@ -13,6 +16,7 @@ use crate::args;
 use crate::format::{self, Format};
 use anyhow::bail;
 use curvecrust::DVec2;
+use curvecrust::geometry::Segment;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -35,6 +39,8 @@ pub(crate) enum Shape {
     Line(Vec<DVec2>),
     /// Points alone.
     Points(Vec<DVec2>),
+    /// Straight pieces, in no order.
+    Segments(Vec<Segment>),
 }
 
 impl Output {
@@ -93,6 +99,8 @@ impl Output {
     pub(crate) fn write_features(&self, features: &[Feature]) -> anyhow::Result<()> {
         self.write(|out| match self.format {
             Format::Geojson => geojson::write(out, features),
+            Format::Wkt => wkt::write(out, features),
+            Format::Dxf => dxf::write(out, features),
             other => Err(unsupported(other)),
         })
     }

@@ -2,6 +2,10 @@
 
 mod delimited;
 mod flaw;
+mod geojson;
+mod json;
+mod npy;
+mod svg;
 mod text;
 
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
@@ -12,7 +16,14 @@ use curvecrust::DVec2;
 use std::path::Path;
 
 /// The formats that points are read from.
-pub(crate) const FORMATS: &[Format] = &[Format::Csv, Format::Text];
+pub(crate) const FORMATS: &[Format] = &[
+    Format::Csv,
+    Format::Text,
+    Format::Json,
+    Format::Geojson,
+    Format::Npy,
+    Format::Svg,
+];
 
 /// Reads points, of which there must be at least one. They are finite and of magnitudes that a point
 /// set can hold; some may be equal.
@@ -32,12 +43,20 @@ pub(crate) fn read(path: &Path, from: Option<Format>) -> Result<Vec<DVec2>, Poin
     let points = match format.unwrap_or_else(|| looks_like(head)) {
         Format::Csv => delimited::read(source),
         Format::Text => text::read(source.into_reader()),
+        Format::Npy => npy::read(source.into_reader()),
+        Format::Json => whole(source).and_then(|bytes| json::read(&bytes)),
+        Format::Geojson => whole(source).and_then(|bytes| geojson::read(&bytes)),
+        Format::Svg => whole(source).and_then(|bytes| svg::read(&bytes)),
         other => Err(Problem::Unreadable(other).into()),
     };
     match points {
         Ok(points) if points.is_empty() => Err(in_file(Problem::NoPoints.into())),
         points => points.map_err(in_file),
     }
+}
+
+fn whole(source: Source) -> Result<Vec<u8>, Flaw> {
+    Ok(source.into_bytes()?)
 }
 
 /// The format of content without a name.

@@ -6,6 +6,7 @@ use crate::input::{self, Source};
 use anyhow::Context;
 use curvecrust::curve::Curve;
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::sampling::{Bound, Condition};
 use std::path::Path;
 
 /// Reads the curves of a document.
@@ -18,20 +19,52 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Curve> {
     Curve::from_svg(&text).with_context(|| name)
 }
 
-/// Measures the local feature size of curves that were read.
+/// The largest gap between dense points, as a share of lfs.
+const GAP: f64 = 0.02;
+/// The same, as a share of the bound of a condition.
+const GAP_TO_BOUND: f64 = 0.05;
+
+/// Measures the local feature size of curves that were read, finely enough for a condition.
 pub(super) fn measured(
     args: &args::Curve,
     curve: &Curve,
+    condition: Option<Condition>,
     console: &Console,
 ) -> anyhow::Result<Measured> {
+    let finest = condition.map_or(GAP, |c| GAP.min(GAP_TO_BOUND * c.bound().value()));
     let discretisation = match args.per_segment {
         Some(points) => Discretisation::PerSegment(points),
         None => Discretisation::Adaptive {
-            gap_to_lfs: args.gap,
+            gap_to_lfs: args.gap.unwrap_or(finest),
         },
     };
     let measured = console.during("measuring the local feature size", || {
         measure(curve, discretisation, Estimator::Voronoi)
     });
     measured.with_context(|| input::name(&args.path))
+}
+
+/// The condition that was typed, if any, with a length for a share of the curve's extent.
+pub(super) fn condition(
+    args: &args::Condition,
+    curve: &Curve,
+) -> anyhow::Result<Option<Condition>> {
+    let condition = match (args.rho, args.epsilon) {
+        (Some(rho), _) => Condition::rho(rho)?,
+        (None, Some(epsilon)) => Condition::epsilon(epsilon)?,
+        (None, None) => return Ok(None),
+    };
+    Ok(Some(match args.max_distance {
+        None => condition,
+        Some(limit) => condition.with_hausdorff_limit(limit.of_extent(curve.extent()))?,
+    }))
+}
+
+/// The name of a condition, and its bound.
+pub(super) fn bound(condition: Condition) -> (&'static str, f64) {
+    let name = match condition.bound() {
+        Bound::Epsilon(_) => "epsilon",
+        Bound::Rho(_) => "rho",
+    };
+    (name, condition.bound().value())
 }

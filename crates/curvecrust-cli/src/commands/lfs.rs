@@ -29,7 +29,7 @@ struct Component {
 pub(crate) fn run(args: &args::Lfs, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
     let curve = curves::read(&args.curve.path)?;
-    let measured = curves::measured(&args.curve, &curve, console)?;
+    let measured = curves::measured(&args.curve, &curve, None, console)?;
     if let Some(output) = output {
         match output.format {
             Format::Json => output.write_json(&object(&measured))?,

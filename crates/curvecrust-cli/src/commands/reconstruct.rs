@@ -9,15 +9,24 @@ use super::bare_points::BarePoints;
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{self, Layer, Output, Picture};
+use crate::output::{self, Layer, Output, Picture, npy};
 use anyhow::anyhow;
 use curvecrust::geometry::{EdgeSet, PointId};
 use curvecrust::reconstruct::{ALGORITHMS, Reconstruction, Reconstructor};
 use result::Found;
+pub(crate) use result::paths;
 use summary::Summary;
 
 /// The formats of a reconstruction, the one of stdout first.
-const FORMATS: &[Format] = &[Format::Csv, Format::Json, Format::Geojson, Format::Svg];
+const FORMATS: &[Format] = &[
+    Format::Csv,
+    Format::Json,
+    Format::Geojson,
+    Format::Wkt,
+    Format::Dxf,
+    Format::Svg,
+    Format::Npy,
+];
 
 pub(crate) fn run(args: &args::Reconstruct, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
@@ -47,6 +56,17 @@ fn write(
     bare: &BarePoints,
     edges: EdgeSet,
 ) -> anyhow::Result<()> {
+    // Edges alone need not be ordered, for which many points would take much memory.
+    if let Some(output) = output.filter(|output| output.format == Format::Npy) {
+        let rows = edges
+            .edges()
+            .iter()
+            .map(|edge| edge.ends().map(|v| bare.row(v)));
+        output.write(|out| npy::write_u32(out, rows))?;
+        if !args.json {
+            return Ok(());
+        }
+    }
     let found = Found {
         bare,
         curves: Reconstruction::new(&bare.points, edges)?,
@@ -57,9 +77,10 @@ fn write(
             Format::Json => output.write_json(&found.object(&args.algorithm))?,
             Format::Svg => {
                 let points = Layer::Points(bare.points.points().to_vec());
-                let layers = vec![Layer::Edges(found.paths()), points];
+                let layers = vec![Layer::Edges(paths(bare, &found.curves)), points];
                 output.write(|out| Picture { layers }.write(out))?;
             }
+            Format::Npy => {}
             _ => output.write_features(&found.features())?,
         }
     }

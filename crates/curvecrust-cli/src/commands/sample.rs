@@ -1,15 +1,16 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
-use super::{Outcome, curves};
-use crate::args::{self, Distance};
+use super::{Bounds, Outcome, curves};
+use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{self, Feature, Layer, Number, Output, Picture, Shape};
-use anyhow::bail;
+use crate::input;
+use crate::output::{self, Feature, Layer, Number, Output, Picture, Shape, npy};
+use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::hausdorff;
-use curvecrust::sampling::{Bound, Condition, SampledCurve, sample_greedy};
+use curvecrust::sampling::{CertifiedSampling, SampledCurve, sample, sample_curve};
 use serde::Serialize;
 use serde_json::{Map, json};
 use std::io::{self, Write};
@@ -20,7 +21,10 @@ const FORMATS: &[Format] = &[
     Format::Text,
     Format::Json,
     Format::Geojson,
+    Format::Wkt,
+    Format::Dxf,
     Format::Svg,
+    Format::Npy,
 ];
 
 /// How exactly the Hausdorff distance is computed, as a share of the extent.
@@ -34,7 +38,10 @@ struct Object {
     condition: &'static str,
     bound: f64,
     max_distance: Option<f64>,
+    /// The largest value that the samples attain.
+    attained: Option<Bounds>,
     count: usize,
+    /// Between the curve and the polygon of the samples.
     hausdorff: Bounds,
 }
 
@@ -46,79 +53,60 @@ struct Component {
     closed: bool,
 }
 
-/// The Hausdorff distance between the curve and the polygon of the samples lies between these; null
-/// is infinite.
-#[derive(Serialize)]
-struct Bounds {
-    lower: f64,
-    upper: f64,
-}
-
 pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
     let curve = curves::read(&args.curve.path)?;
-    let condition = condition(&args.condition, &curve)?;
-    let measured = curves::measured(&args.curve, &curve, console)?;
-    let samples = console.during("sampling", || sample_greedy(&measured, condition));
+    let Some(condition) = curves::condition(&args.condition, &curve)? else {
+        bail!("give either --rho or --epsilon");
+    };
+    let certified = if args.curve.gap.is_some() || args.curve.per_segment.is_some() {
+        let measured = curves::measured(&args.curve, &curve, None, console)?;
+        sample(&measured, condition)
+    } else {
+        console
+            .during("sampling", || sample_curve(&curve, condition))
+            .map(|(_, certified)| certified)
+    };
+    let certified = certified.with_context(|| input::name(&args.curve.path))?;
+    let samples = &certified.samples;
     if let Some(output) = output {
         match output.format {
-            Format::Csv => output.write(|out| write_csv(out, &samples))?,
-            Format::Text => output.write(|out| write_text(out, &samples))?,
-            Format::Json => output.write_json(&object(&curve, &samples, condition)?)?,
+            Format::Csv => output.write(|out| write_csv(out, samples))?,
+            Format::Text => output.write(|out| write_text(out, samples))?,
+            Format::Npy => {
+                let rows = samples.points().iter().map(|p| p.to_array());
+                output.write(|out| npy::write_f64(out, rows))?;
+            }
+            Format::Json => output.write_json(&object(&curve, &certified)?)?,
             Format::Svg => {
                 let layers = vec![Layer::Points(samples.points().to_vec())];
                 output.write(|out| Picture { layers }.write(out))?;
             }
-            _ => output.write_features(&features(&samples))?,
+            _ => output.write_features(&features(samples))?,
         }
     }
     if args.json {
-        output::print_json(&object(&curve, &samples, condition)?)?;
+        output::print_json(&object(&curve, &certified)?)?;
     }
-    let (name, bound) = bound(condition);
+    let (name, bound) = curves::bound(condition);
     console.say(format_args!(
         "{} samples for {name} < {bound}",
         samples.len()
     ));
-    let closing = samples.closing_intervals().iter();
-    let failing = closing.filter(|interval| !interval.holds);
-    let failing: Vec<_> = failing.map(|interval| interval.component).collect();
-    for component in &failing {
-        console.say(format_args!(
-            "curve {component}: the interval from the last sample back to the first fails the condition"
-        ));
-    }
-    Ok(Outcome::fine_if(failing.is_empty()))
+    Ok(Outcome::Fine)
 }
 
-/// The condition that was typed, with a length for a share of the curve's extent.
-fn condition(args: &args::Condition, curve: &Curve) -> anyhow::Result<Condition> {
-    let condition = match (args.rho, args.epsilon) {
-        (Some(rho), None) => Condition::rho(rho)?,
-        (None, Some(epsilon)) => Condition::epsilon(epsilon)?,
-        _ => bail!("give either --rho or --epsilon"),
-    };
-    Ok(match args.max_distance {
-        None => condition,
-        Some(Distance::Length(limit)) => condition.with_hausdorff_limit(limit)?,
-        Some(Distance::Percent(share)) => {
-            condition.with_hausdorff_limit(share / 100.0 * curve.extent())?
-        }
-    })
-}
-
-fn bound(condition: Condition) -> (&'static str, f64) {
-    match condition.bound() {
-        Bound::Epsilon(epsilon) => ("epsilon", epsilon),
-        Bound::Rho(rho) => ("rho", rho),
-    }
-}
-
-fn object(curve: &Curve, samples: &SampledCurve, condition: Condition) -> anyhow::Result<Object> {
+fn object(curve: &Curve, certified: &CertifiedSampling) -> anyhow::Result<Object> {
+    let CertifiedSampling {
+        samples,
+        condition,
+        attained,
+        ..
+    } = certified;
     let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
     let polygon = samples.manifold_boundary();
     let distance = hausdorff(curve, &samples.point_set()?, &polygon, tolerance).distance();
-    let (name, bound) = bound(condition);
+    let (name, bound) = curves::bound(*condition);
     let components = samples.components().iter().map(|component| Component {
         start: component.range.start,
         end: component.range.end,
@@ -131,10 +119,11 @@ fn object(curve: &Curve, samples: &SampledCurve, condition: Condition) -> anyhow
         bound,
         max_distance: condition.hausdorff_limit(),
         count: samples.len(),
-        hausdorff: Bounds {
-            lower: distance.lower,
-            upper: distance.upper,
-        },
+        attained: attained.map(|attained| Bounds {
+            lower: attained.bound,
+            upper: attained.at_most,
+        }),
+        hausdorff: distance.into(),
     })
 }
 

@@ -50,6 +50,11 @@ impl Serialize for Shape {
                 map.serialize_entry("type", "MultiPoint")?;
                 map.serialize_entry("coordinates", &positions(points))?;
             }
+            Self::Segments(segments) => {
+                map.serialize_entry("type", "MultiLineString")?;
+                let lines = segments.iter().map(|s| positions([&s.a, &s.b]));
+                map.serialize_entry("coordinates", &lines.collect::<Vec<_>>())?;
+            }
         }
         map.end()
     }

@@ -4,8 +4,15 @@
 //! Colours differ in lightness too, and lines from marks in shape, so that a picture can be read in
 //! grey.
 
+mod frame;
+mod lfs;
+
 use super::Number;
 use curvecrust::DVec2;
+use curvecrust::curve::Curve;
+use curvecrust::geometry::Segment;
+use curvecrust::medial_axis::Measured;
+use frame::Frame;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -15,10 +22,22 @@ pub(crate) type Path = (Vec<DVec2>, bool);
 /// What is drawn.
 #[derive(Debug)]
 pub(crate) enum Layer {
+    /// A smooth curve.
+    Curve(Curve),
+    /// A smooth curve, coloured by its local feature size.
+    Lfs(Measured),
+    /// The medial axis; what runs out of the picture is cut off.
+    Axis(Vec<Segment>),
     /// Found edges.
     Edges(Vec<Path>),
     /// Sample points.
     Points(Vec<DVec2>),
+    /// Where the sampling was too sparse.
+    Marks {
+        leaves: Vec<DVec2>,
+        isolated: Vec<DVec2>,
+        junctions: Vec<DVec2>,
+    },
 }
 
 /// Layers, the first one at the back.
@@ -27,102 +46,57 @@ pub(crate) struct Picture {
     pub(crate) layers: Vec<Layer>,
 }
 
-/// The larger side on a page, in pixels.
-const SIZE: f64 = 800.0;
-/// Around the data, in pixels.
-const MARGIN: f64 = 20.0;
-
 impl Picture {
     pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let frame = Frame::around(self);
         frame.open(out)?;
         for layer in &self.layers {
-            layer.write(out, frame.pixel)?;
+            layer.write(out, &frame)?;
         }
         writeln!(out, "</svg>")
     }
 }
 
-/// The part of the plane that is shown.
-struct Frame {
-    low: DVec2,
-    extent: DVec2,
-    /// The length of a pixel.
-    pixel: f64,
-}
-
-impl Frame {
-    fn around(picture: &Picture) -> Self {
-        let (low, high) = picture
-            .layers
-            .iter()
-            .flat_map(Layer::framed)
-            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
-                (low.min(p), high.max(p))
-            });
-        let extent = high - low;
-        // Points without extent, and no points, still make a picture.
-        let (low, extent) = if extent.max_element() > 0.0 {
-            (low, extent)
-        } else if low.is_finite() {
-            (low - 0.5, DVec2::ONE)
-        } else {
-            (DVec2::ZERO, DVec2::ONE)
-        };
-        let pixel = extent.max_element() / SIZE;
-        Self {
-            low: low - MARGIN * pixel,
-            extent: extent + 2.0 * MARGIN * pixel,
-            pixel,
-        }
-    }
-
-    fn open(&self, out: &mut dyn Write) -> io::Result<()> {
-        let Self { low, extent, pixel } = *self;
-        let size = (extent / pixel).round();
-        writeln!(
-            out,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="{} {} {} {}">"#,
-            size.x,
-            size.y,
-            Number(low.x),
-            Number(low.y),
-            Number(extent.x),
-            Number(extent.y)
-        )?;
-        writeln!(
-            out,
-            r##"<rect x="{}" y="{}" width="{}" height="{}" fill="#fff"/>"##,
-            Number(low.x),
-            Number(low.y),
-            Number(extent.x),
-            Number(extent.y)
-        )
-    }
-}
-
 impl Layer {
-    /// The points that have to be in the picture.
-    fn framed(&self) -> Box<dyn Iterator<Item = DVec2> + '_> {
+    fn write(&self, out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+        let pixel = frame.pixel;
         match self {
-            Self::Edges(paths) => Box::new(paths.iter().flat_map(|path| &path.0).copied()),
-            Self::Points(points) => Box::new(points.iter().copied()),
-        }
-    }
-
-    fn write(&self, out: &mut dyn Write, pixel: f64) -> io::Result<()> {
-        match self {
+            Self::Curve(curve) => {
+                open(out, "curve", "#b4b4b4", 5.0 * pixel)?;
+                writeln!(out, r#"<path d="{}"/>"#, curve_data(curve))?;
+            }
+            Self::Lfs(measured) => lfs::write(out, measured, frame)?,
+            Self::Axis(segments) => {
+                open(out, "medial-axis", "#3d85d0", 1.5 * pixel)?;
+                let each = segments.iter().map(|s| data(&[s.a, s.b], false));
+                let together = each.collect::<Vec<_>>().join(" ");
+                writeln!(out, r#"<path d="{together}"/>"#)?;
+            }
             Self::Edges(paths) => {
-                stroked(out, "edges", "#c0261c", 2.0 * pixel)?;
-                for path in paths {
-                    writeln!(out, r#"<path d="{}"/>"#, data(path))?;
+                open(out, "edges", "#b3150d", 2.0 * pixel)?;
+                for (points, closed) in paths {
+                    writeln!(out, r#"<path d="{}"/>"#, data(points, *closed))?;
                 }
             }
             Self::Points(points) => {
+                // Many points are small, so that they do not melt into each other.
+                let radius = (720.0 / points.len() as f64).clamp(1.0, 4.0) * pixel;
                 writeln!(out, r##"<g id="points" fill="#111">"##)?;
                 for p in points {
-                    let (x, y, r) = (Number(p.x), Number(p.y), Number(4.0 * pixel));
+                    let (x, y, r) = (Number(p.x), Number(p.y), Number(radius));
                     writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}"/>"#)?;
+                }
+            }
+            Self::Marks {
+                leaves,
+                isolated,
+                junctions,
+            } => {
+                open(out, "violations", "#e07b00", 2.5 * pixel)?;
+                for (places, corners) in [(leaves, 24), (isolated, 4), (junctions, 3)] {
+                    for &p in places {
+                        writeln!(out, r#"<path d="{}"/>"#, mark(p, corners, 10.0 * pixel))?;
+                    }
                 }
             }
         }
@@ -131,7 +105,7 @@ impl Layer {
 }
 
 /// Opens a group of lines.
-fn stroked(out: &mut dyn Write, id: &str, colour: &str, width: f64) -> io::Result<()> {
+fn open(out: &mut dyn Write, id: &str, colour: &str, width: f64) -> io::Result<()> {
     writeln!(
         out,
         r#"<g id="{id}" fill="none" stroke="{colour}" stroke-width="{}" stroke-linejoin="round" stroke-linecap="round">"#,
@@ -140,7 +114,7 @@ fn stroked(out: &mut dyn Write, id: &str, colour: &str, width: f64) -> io::Resul
 }
 
 /// The path data of a polyline.
-fn data((points, closed): &Path) -> String {
+fn data(points: &[DVec2], closed: bool) -> String {
     let mut data = String::new();
     for (i, p) in points.iter().enumerate() {
         let command = match i {
@@ -151,8 +125,35 @@ fn data((points, closed): &Path) -> String {
         // Writing to a string cannot fail.
         let _ = write!(data, "{command} {} {}", Number(p.x), Number(p.y));
     }
-    if *closed {
+    if closed {
         data += " Z";
     }
     data
+}
+
+/// The path data of a smooth curve.
+fn curve_data(curve: &Curve) -> String {
+    let mut data = String::new();
+    for component in curve.components() {
+        for (i, segment) in component.segments().iter().enumerate() {
+            let [p0, p1, p2, p3] = segment.control_points();
+            if i == 0 {
+                let _ = write!(data, "M {} {}", Number(p0.x), Number(p0.y));
+            }
+            let [x1, y1, x2, y2, x3, y3] = [p1.x, p1.y, p2.x, p2.y, p3.x, p3.y].map(Number);
+            let _ = write!(data, " C {x1} {y1} {x2} {y2} {x3} {y3}");
+        }
+        data += if component.is_closed() { " Z " } else { " " };
+    }
+    data.truncate(data.trim_end().len());
+    data
+}
+
+/// The path data of a regular polygon with a corner at the top.
+fn mark(centre: DVec2, corners: u32, radius: f64) -> String {
+    let corner = |i: u32| {
+        let angle = std::f64::consts::TAU * (f64::from(i) / f64::from(corners) - 0.25);
+        centre + DVec2::from_angle(angle) * radius
+    };
+    data(&(0..corners).map(corner).collect::<Vec<_>>(), true)
 }

@@ -75,6 +75,36 @@ pub(crate) enum Problem {
     },
     #[error("two columns are named {0}")]
     TwoColumns(&'static str),
+    #[error("{0}")]
+    Json(String),
+    #[error("the object has neither `points` nor `samples`, nor is it GeoJSON")]
+    NoArray,
+    #[error("the object has both `points` and `samples`: which?")]
+    TwoArrays,
+    #[error("it holds a {0}: only Point and MultiPoint are points")]
+    Geometry(String),
+    #[error("the coordinates of a {0} have to be positions [x, y]")]
+    Coordinates(String),
+    #[error("this is no NumPy array")]
+    NotNpy,
+    #[error("the numbers are `{0}`: save them as float64 or float32")]
+    Type(String),
+    #[error("the shape is ({0}): points have the shape (n, 2)")]
+    Shape(String),
+    #[error("the array is cut off before the end of its {rows} rows")]
+    Truncated { rows: usize },
+    #[error("the file goes on after the {rows} rows of its array")]
+    Trailing { rows: usize },
+    #[error("this is no SVG document")]
+    NotSvg,
+    #[error("{0}")]
+    Xml(String),
+    #[error("there are no circles and no paths")]
+    NoShapes,
+    #[error("`{0}` elements are not followed: put the shapes themselves in the drawing")]
+    Element(String),
+    #[error("{name} is `{found}`, which cannot be read")]
+    Attribute { name: String, found: String },
     #[error("the line has {found} columns, the first has {expected}")]
     Ragged { found: usize, expected: usize },
 }

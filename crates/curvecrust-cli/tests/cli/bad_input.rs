@@ -110,6 +110,168 @@ fn text_of_other_systems_is_read() {
 }
 
 #[test]
+fn arrays_that_hold_no_points() {
+    for (content, says) in [
+        (
+            "[[1, 2], [3]]",
+            "line 1, column 12: a point is [x, y], but here is less",
+        ),
+        (
+            "[[1, 2],\n[3, 4, 5]]",
+            "line 2, column 9: a point is [x, y], but here is more",
+        ),
+        (
+            "[[1, \"b\"]]",
+            "line 1, column 8: invalid type: string \"b\", expected f64",
+        ),
+        (
+            "[[1, null]]",
+            "line 1, column 9: invalid type: null, expected f64",
+        ),
+        ("[[1, 1e400]]", "line 1, column 10: number out of range"),
+        ("[[1, 2]", "line 1, column 7: EOF while parsing a list"),
+        (
+            "{\"a\": 1}",
+            "the object has neither `points` nor `samples`, nor is it GeoJSON",
+        ),
+    ] {
+        let found = error("p.json", content);
+        let found = found
+            .strip_prefix("p.json")
+            .unwrap()
+            .trim_start_matches([':', ',', ' ']);
+        assert_eq!(found, says);
+    }
+    assert_eq!(error("p.json", "[]"), "p.json: there are no points");
+}
+
+#[test]
+fn geojson_that_holds_no_points() {
+    let says = "p.geojson: it holds a LineString: only Point and MultiPoint are points";
+    let line = r#"{"type": "LineString", "coordinates": [[1, 2], [3, 4]]}"#;
+    assert_eq!(error("p.geojson", line), says);
+    let feature = format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {line}}}"#);
+    assert_eq!(error("p.geojson", feature), says);
+    assert_eq!(
+        error(
+            "p.geojson",
+            r#"{"type": "Point", "coordinates": [1, 2, 3]}"#
+        ),
+        "p.geojson: the coordinates of a Point have to be positions [x, y]"
+    );
+    assert_eq!(
+        error(
+            "p.geojson",
+            "{\"type\": \"Point\",\n\"coordinates\": [1, \"b\"]}"
+        ),
+        "p.geojson, line 2, column 22: invalid type: string \"b\", expected a number or an array"
+    );
+    assert_eq!(
+        error(
+            "p.geojson",
+            r#"{"type": "FeatureCollection", "features": []}"#
+        ),
+        "p.geojson: there are no points"
+    );
+}
+
+#[test]
+fn numpy_arrays_that_hold_no_points() {
+    let npy = |descr: &str, shape: &str, numbers: &[u8]| {
+        let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}\n");
+        let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+        [
+            b"\x93NUMPY\x01\x00",
+            &length[..],
+            header.as_bytes(),
+            numbers,
+        ]
+        .concat()
+    };
+    let ones: Vec<u8> = [1.0f64; 4].iter().flat_map(|v| v.to_le_bytes()).collect();
+    for (content, says) in [
+        (
+            npy("'<f8'", "(2, 2)", &ones[..31]),
+            "the array is cut off before the end of its 2 rows",
+        ),
+        (
+            npy("'<f8'", "(2, 2)", &[&ones[..], b"!"].concat()),
+            "the file goes on after the 2 rows of its array",
+        ),
+        (
+            npy("'<f8'", "(4,)", &ones),
+            "the shape is (4,): points have the shape (n, 2)",
+        ),
+        (
+            npy("'<f8'", "(2, 3)", &ones),
+            "the shape is (2, 3): points have the shape (n, 2)",
+        ),
+        (
+            npy("'<i8'", "(2, 2)", &ones),
+            "the numbers are `<i8`: save them as float64 or float32",
+        ),
+        (
+            npy("[('x', '<f8')]", "(2, 2)", &ones),
+            "the numbers are `[(\\'x\\', \\'<f8\\')`: save them as float64 or float32",
+        ),
+        (npy("'<f8'", "(0, 2)", &[]), "there are no points"),
+        (b"\x93NUMPY\x01\x00\x10".to_vec(), "this is no NumPy array"),
+        (b"1 2\n".to_vec(), "this is no NumPy array"),
+        (
+            npy("'<f8'", "(99999999999999999999, 2)", &ones),
+            "the shape is (99999999999999999999, 2): points have the shape (n, 2)",
+        ),
+    ] {
+        assert_eq!(error("p.npy", content), format!("p.npy: {says}"));
+    }
+    let nan: Vec<u8> = [1.0, f64::NAN]
+        .iter()
+        .flat_map(|v: &f64| v.to_le_bytes())
+        .collect();
+    assert_eq!(
+        error("p.npy", npy("'<f8'", "(1, 2)", &nan)),
+        "p.npy, line 1, field 2: `NaN` is not a finite number"
+    );
+}
+
+#[test]
+fn drawings_that_hold_no_points() {
+    let svg = |inside: &str| format!("<svg xmlns=\"http://www.w3.org/2000/svg\">\n{inside}</svg>");
+    for (content, says) in [
+        (
+            svg("<text x='1' y='2'>text</text>"),
+            ": there are no circles and no paths",
+        ),
+        (
+            svg("<use href='#a'/>"),
+            ", line 2, column 1: `use` elements are not followed: put the shapes themselves in the drawing",
+        ),
+        (
+            svg("<path d='M 1 2 L x'/>"),
+            ", line 2, column 1: d is `M 1 2 L x`, which cannot be read",
+        ),
+        (
+            svg("<circle cx='50%' cy='2'/>"),
+            ", line 2, column 1: cx is `50%`, which cannot be read",
+        ),
+        (svg("<circle cx='1e300' cy='2'/>"), ", line 2, column 1: `"),
+        (String::from("<html/>"), ": this is no SVG document"),
+        (String::from("<svg>\n<g></svg>"), ", line 2, column 4: "),
+    ] {
+        let found = error("p.svg", content);
+        assert!(found.starts_with(&format!("p.svg{says}")), "{found}");
+    }
+}
+
+#[test]
+fn formats_that_hold_no_points() {
+    assert_eq!(
+        error("p.dxf", "0\n"),
+        "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, npy or svg"
+    );
+}
+
+#[test]
 fn no_file() {
     let folder = Folder::new();
     assert_eq!(

@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
 mod bad_input;
+mod curves;
+mod formats;
 mod harness;
 mod reconstruct;
 mod sample;

@@ -92,7 +92,7 @@ fn a_condition_is_asked_for() {
         ),
         (
             "sample circle.svg --rho 1.5",
-            "rho is 1.5: it must lie strictly between 0 and 1",
+            "rho is 1.5: it must be above 0 and at most 1",
         ),
         (
             "sample circle.svg --rho 0.9 --max-distance 0%",

@@ -56,11 +56,11 @@ fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
     );
     assert_eq!(
         error("out.xyz"),
-        "error: the name out.xyz tells no format: give --to csv, json, geojson or svg"
+        "error: the name out.xyz tells no format: give --to csv, json, geojson, wkt, dxf, svg or npy"
     );
     assert_eq!(
         error("out.xy"),
-        "error: this cannot be written as text: use csv, json, geojson or svg"
+        "error: this cannot be written as text: use csv, json, geojson, wkt, dxf, svg or npy"
     );
     assert_eq!(folder.names(), ["p.xy"]);
 }

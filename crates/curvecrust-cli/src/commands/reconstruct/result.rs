@@ -112,13 +112,6 @@ impl Found<'_> {
         rings.chain(lines).chain(points).collect()
     }
 
-    /// Every chain as a polyline.
-    pub(super) fn paths(&self) -> Vec<Path> {
-        let path = |chain: &Chain| (self.places(chain.vertices()), chain.is_closed());
-        let chains = self.curves.chains().iter();
-        chains.map(|chain| path(&chain.chain)).collect()
-    }
-
     fn polygon(&self, polygon: &Polygon) -> Feature {
         let chains = self.curves.chains();
         let outside = chains[polygon.outside].chain.clone();
@@ -156,4 +149,17 @@ fn properties(kind: &str, points: Value) -> Map<String, Value> {
     properties.insert(String::from("kind"), json!(kind));
     properties.insert(String::from("points"), points);
     properties
+}
+
+/// Every chain as a polyline.
+pub(crate) fn paths(bare: &BarePoints, curves: &Reconstruction) -> Vec<Path> {
+    let place = |&v: &PointId| bare.points[v];
+    let path = |chain: &Chain| {
+        (
+            chain.vertices().iter().map(place).collect(),
+            chain.is_closed(),
+        )
+    };
+    let chains = curves.chains().iter();
+    chains.map(|chain| path(&chain.chain)).collect()
 }

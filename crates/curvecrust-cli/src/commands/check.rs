@@ -1,0 +1,134 @@
+//! `curvecrust check`: how good samples are, and whether a condition holds.
+
+use super::bare_points::BarePoints;
+use super::{Bounds, Outcome, curves};
+use crate::console::Console;
+use crate::{args, input, output};
+use anyhow::Context;
+use curvecrust::sampling::{
+    Attained, Condition, PlacedSamples, Verdict, check, effective_epsilon, effective_rho,
+};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// What `--json` prints; the schema is stable, and in `docs/formats.md`.
+#[derive(Serialize)]
+struct Object {
+    effective_epsilon: Option<Bounds>,
+    effective_rho: Option<Bounds>,
+    /// `None` without a condition.
+    holds: Option<bool>,
+    /// Whether it is certain to hold between dense points too.
+    certain: Option<bool>,
+    violations: Vec<Violation>,
+}
+
+/// An interval on which the condition does not hold.
+#[derive(Serialize)]
+struct Violation {
+    component: usize,
+    /// The samples around it, by their position in the input; none where the curve has none.
+    samples: [Option<u32>; 2],
+    value: Bounds,
+    /// The worst point.
+    at: [f64; 2],
+    /// How far the curve is from the chord.
+    distance: Bounds,
+}
+
+pub(crate) fn run(args: &args::Check, console: &Console) -> anyhow::Result<Outcome> {
+    let curve = curves::read(&args.curve.path)?;
+    let bare = BarePoints::read(&args.points, console)?;
+    let condition = curves::condition(&args.condition, &curve)?;
+    let measured = curves::measured(&args.curve, &curve, condition, console)?;
+    let tolerance = args.tolerance.tolerance.of_extent(curve.extent());
+    let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
+        .with_context(|| input::name(&args.points.path))?;
+    let verdict = condition.map(|condition| check(&measured, &placed.samples, condition));
+    let row = |sample: usize| {
+        bare.points
+            .ids()
+            .nth(placed.indices[sample])
+            .map(|id| bare.row(id))
+    };
+    let violations = verdict.iter().flat_map(|verdict| &verdict.violations);
+    let object = Object {
+        effective_epsilon: effective_epsilon(&measured, &placed.samples)
+            .as_ref()
+            .map(value),
+        effective_rho: effective_rho(&measured, &placed.samples)
+            .as_ref()
+            .map(value),
+        holds: verdict.as_ref().map(Verdict::holds),
+        certain: verdict.as_ref().map(|verdict| verdict.certain),
+        violations: violations
+            .map(|found| Violation {
+                component: found.interval.component,
+                samples: found.interval.samples.map(|sample| sample.and_then(row)),
+                value: value(found),
+                at: found.at.to_array(),
+                distance: Bounds {
+                    lower: found.deviation,
+                    upper: found.deviation_at_most,
+                },
+            })
+            .collect(),
+    };
+    if args.json {
+        output::print_json(&object)?;
+    } else {
+        output::to_stdout(|out| write(out, &object, condition))?;
+    }
+    Ok(Outcome::fine_if(object.holds != Some(false)))
+}
+
+fn value(found: &Attained) -> Bounds {
+    Bounds {
+        lower: found.bound,
+        upper: found.at_most,
+    }
+}
+
+fn write(out: &mut dyn Write, object: &Object, condition: Option<Condition>) -> io::Result<()> {
+    let effective = [
+        ("epsilon", object.effective_epsilon),
+        ("rho", object.effective_rho),
+    ];
+    for (name, value) in effective {
+        if let Some(Bounds { lower, upper }) = value {
+            writeln!(out, "effective {name}: {lower:.4}, at most {upper:.4}")?;
+        }
+    }
+    let Some(condition) = condition else {
+        return Ok(());
+    };
+    let (name, bound) = curves::bound(condition);
+    for violation in &object.violations {
+        let end = |sample: Option<u32>| match sample {
+            Some(row) => format!("sample {row}"),
+            None => String::from("no sample"),
+        };
+        let [from, to] = violation.samples.map(end);
+        writeln!(
+            out,
+            "violated on curve {} from {from} to {to}: {name} is {:.4} near ({:.6}, {:.6}), distance {:.6}",
+            violation.component,
+            violation.value.lower,
+            violation.at[0],
+            violation.at[1],
+            violation.distance.lower
+        )?;
+    }
+    let verdict = match (object.holds, object.certain) {
+        (Some(true), Some(true)) => "holds",
+        (Some(true), _) => {
+            "holds at every dense point; a smaller --gap may make it certain in between"
+        }
+        _ => "does not hold",
+    };
+    let limit = match condition.hausdorff_limit() {
+        Some(limit) => format!(", within a distance of {limit:.6},"),
+        None => String::new(),
+    };
+    writeln!(out, "{name} < {bound}{limit} {verdict}")
+}

@@ -1,0 +1,125 @@
+//! `curvecrust evaluate`: what algorithms find, against the curve that was sampled.
+
+use super::bare_points::BarePoints;
+use super::{Bounds, Outcome, curves, reconstruct};
+use crate::console::Console;
+use crate::{args, input, output};
+use anyhow::Context;
+use curvecrust::curve::Curve;
+use curvecrust::evaluate::{EdgeComparison, hausdorff};
+use curvecrust::geometry::{Edge, EdgeSet, PointId};
+use curvecrust::medial_axis::Measured;
+use curvecrust::sampling::{PlacedSamples, Projected};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// How exactly the Hausdorff distance is computed, as a share of the extent.
+const HAUSDORFF_TOLERANCE: f64 = 1e-4;
+
+/// What `--json` prints; the schema is stable, and in `docs/formats.md`. Points are known by their
+/// position in the input.
+#[derive(Serialize)]
+struct Object {
+    points: usize,
+    true_edges: usize,
+    results: Vec<Evaluation>,
+}
+
+#[derive(Serialize)]
+struct Evaluation {
+    algorithm: String,
+    exact: bool,
+    correct: usize,
+    missing: Vec<[u32; 2]>,
+    wrong: Vec<[u32; 2]>,
+    curve_to_polygon: Bounds,
+    polygon_to_curve: Bounds,
+}
+
+pub(crate) fn run(args: &args::Evaluate, console: &Console) -> anyhow::Result<Outcome> {
+    let curve = curves::read(&args.curve.path)?;
+    let bare = BarePoints::read(&args.points, console)?;
+    let measured = curves::measured(&args.curve, &curve, None, console)?;
+    let tolerance = args.tolerance.tolerance.of_extent(curve.extent());
+    let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
+        .with_context(|| input::name(&args.points.path))?;
+    let truth = consecutive(&measured, &placed);
+    let evaluate = |name: &String| evaluate(&curve, &bare, &truth, name);
+    let results = console.during("evaluating", || {
+        args.algorithm.iter().map(evaluate).collect()
+    });
+    let object = Object {
+        points: bare.points.len(),
+        true_edges: truth.len(),
+        results: Result::from_iter::<Vec<_>>(results)?,
+    };
+    if args.json {
+        output::print_json(&object)?;
+    } else {
+        output::to_stdout(|out| write(out, &object))?;
+    }
+    Ok(Outcome::fine_if(
+        object.results.iter().all(|result| result.exact),
+    ))
+}
+
+/// The edges between consecutive samples of each component.
+fn consecutive(measured: &Measured, placed: &Projected) -> EdgeSet {
+    let components = placed.samples.components().iter();
+    let dense = measured.dense().components();
+    let edges = components.zip(dense).flat_map(|(range, component)| {
+        let id = |sample: usize| PointId::new(placed.indices[sample]);
+        let closing = component
+            .closed
+            .then(|| (range.end.saturating_sub(1), range.start));
+        let open = range.clone().zip(range.clone().skip(1));
+        let pairs = open.chain(closing.filter(|_| !range.is_empty()));
+        pairs.filter_map(move |(i, j)| Edge::new(id(i)?, id(j)?))
+    });
+    EdgeSet::new(placed.indices.len(), edges)
+}
+
+fn evaluate(
+    curve: &Curve,
+    bare: &BarePoints,
+    truth: &EdgeSet,
+    name: &str,
+) -> anyhow::Result<Evaluation> {
+    let found = reconstruct::algorithm(name)?.reconstruct(&bare.points);
+    let comparison = EdgeComparison::new(truth, &found);
+    let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
+    let distance = hausdorff(curve, &bare.points, &found, tolerance);
+    let rows = |edges: &[Edge]| {
+        let edges = edges.iter();
+        edges.map(|edge| edge.ends().map(|v| bare.row(v))).collect()
+    };
+    Ok(Evaluation {
+        algorithm: name.to_owned(),
+        exact: comparison.is_exact(),
+        correct: comparison.correct.len(),
+        missing: rows(&comparison.missing),
+        wrong: rows(&comparison.wrong),
+        curve_to_polygon: distance.curve_to_polygon.into(),
+        polygon_to_curve: distance.polygon_to_curve.into(),
+    })
+}
+
+fn write(out: &mut dyn Write, object: &Object) -> io::Result<()> {
+    let Object {
+        points, true_edges, ..
+    } = object;
+    writeln!(out, "{points} points, {true_edges} true edges")?;
+    for result in &object.results {
+        writeln!(
+            out,
+            "{:20} {:>6} correct {:>6} missing {:>6} wrong   curve within {:.6} of the edges, edges within {:.6} of the curve",
+            result.algorithm,
+            result.correct,
+            result.missing.len(),
+            result.wrong.len(),
+            result.curve_to_polygon.upper,
+            result.polygon_to_curve.upper
+        )?;
+    }
+    Ok(())
+}

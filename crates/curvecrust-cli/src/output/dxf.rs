@@ -1,0 +1,60 @@
+//! Drawing exchange format, of AutoCAD R12: the version that every program reads.
+//!
+//! Rings are closed polylines and chains open ones, on layers named after their kind. Each item is a
+//! line with the code of a group and a line with its value.
+
+use super::{Feature, Number, Shape};
+use curvecrust::DVec2;
+use std::io::{self, Write};
+
+pub(super) fn write(out: &mut dyn Write, features: &[Feature]) -> io::Result<()> {
+    write!(
+        out,
+        "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n"
+    )?;
+    write!(out, "0\nSECTION\n2\nENTITIES\n")?;
+    for feature in features {
+        match &feature.shape {
+            Shape::Polygon(rings) => {
+                for ring in rings {
+                    polyline(out, "rings", ring, true)?;
+                }
+            }
+            Shape::Line(line) => polyline(out, "chains", line, false)?,
+            Shape::Points(points) => {
+                for &p in points {
+                    write!(out, "0\nPOINT\n8\npoints\n")?;
+                    place(out, 10, p)?;
+                }
+            }
+            Shape::Segments(segments) => {
+                for segment in segments {
+                    write!(out, "0\nLINE\n8\nlines\n")?;
+                    place(out, 10, segment.a)?;
+                    place(out, 11, segment.b)?;
+                }
+            }
+        }
+    }
+    write!(out, "0\nENDSEC\n0\nEOF\n")
+}
+
+fn polyline(out: &mut dyn Write, layer: &str, points: &[DVec2], closed: bool) -> io::Result<()> {
+    write!(
+        out,
+        "0\nPOLYLINE\n8\n{layer}\n66\n1\n70\n{}\n",
+        u8::from(closed)
+    )?;
+    place(out, 10, DVec2::ZERO)?;
+    for &p in points {
+        write!(out, "0\nVERTEX\n8\n{layer}\n")?;
+        place(out, 10, p)?;
+    }
+    write!(out, "0\nSEQEND\n8\n{layer}\n")
+}
+
+/// A place in space, its x under the given code.
+fn place(out: &mut dyn Write, code: u32, p: DVec2) -> io::Result<()> {
+    let (x, y) = (Number(p.x), Number(p.y));
+    write!(out, "{code}\n{x}\n{}\n{y}\n{}\n0\n", code + 10, code + 20)
+}
