@@ -1,51 +1,55 @@
-//! Keys along the Hilbert curve: points close by in the order are close by in the plane.
+//! Positions along the Hilbert curve: cells that are close on it are close in the plane.
 
-use glam::DVec2;
+/// Cells along each axis of the grid on which keys are taken.
+pub(crate) const SIDE: f64 = 65_536.0;
 
-/// The position along the Hilbert curve of the cell (`x`, `y`) of a 2^32 x 2^32 grid.
-///
-/// Consecutive positions are neighbouring cells; 0 is the cell (0, 0).
-#[must_use]
-pub fn hilbert_index(x: u32, y: u32) -> u64 {
-    let (mut x, mut y) = (x, y);
-    let mut index = 0u64;
-    for bit in (0..32).rev() {
-        let (rx, ry) = ((x >> bit) & 1, (y >> bit) & 1);
-        index = index << 2 | u64::from((3 * rx) ^ ry);
-        // Into the frame of the quadrant: the lower bits mirrored and swapped.
-        if ry == 0 {
-            if rx == 1 {
-                (x, y) = (!x, !y);
-            }
-            (x, y) = (y, x);
-        }
+/// For a state of the curve and four bits of x and of y: eight bits of the key, and the next state
+/// above them.
+static STEPS: [[u16; 256]; 4] = steps();
+
+/// The key of a cell, coordinates below 2^16: its position along the curve.
+#[inline(always)]
+pub(crate) fn key(x: u32, y: u32) -> u32 {
+    let mut state = 0;
+    let mut key = 0;
+    for shift in [12, 8, 4, 0] {
+        let digits = (x >> shift & 15) << 4 | (y >> shift & 15);
+        let step = u32::from(STEPS[state & 3][digits as usize & 255]);
+        key = key << 8 | step & 255;
+        state = (step >> 8) as usize;
     }
-    index
+    key
 }
 
-/// The Hilbert keys of points, in their order, on a grid of 2^32 x 2^32 cells over a square around
-/// them.
-///
-/// Scaling finite points by a power of two, and shifting them exactly, leaves their keys unchanged.
-#[must_use]
-pub fn hilbert_keys(points: &[DVec2]) -> Vec<u64> {
-    let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
-    let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
-    let extent = (high - low).max_element();
-    let cell = |offset: f64| {
-        // A cast saturates: rounding at the far side cannot leave the grid, and 0 / 0 is cell 0.
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the cell is the integer part; float casts saturate"
-        )]
-        let cell = (offset / extent * 4_294_967_296.0) as u32;
-        cell
-    };
-    points
-        .iter()
-        .map(|&p| hilbert_index(cell(p.x - low.x), cell(p.y - low.y)))
-        .collect()
+/// A quadrant is drawn mirrored at the diagonal (bit 0 of the state), at the centre (bit 1), both
+/// or neither.
+const fn steps() -> [[u16; 256]; 4] {
+    let mut steps = [[0; 256]; 4];
+    let mut start = 0;
+    while start < 4 {
+        let mut digits = 0;
+        while digits < 256 {
+            let (mut state, mut key, mut bit) = (start, 0, 4);
+            while bit > 0 {
+                bit -= 1;
+                let turned = (state >> 1) * 3;
+                let quadrant = ((digits >> (4 + bit) & 1) << 1 | (digits >> bit & 1)) ^ turned;
+                let (x, y) = if state & 1 == 0 {
+                    (quadrant >> 1, quadrant & 1)
+                } else {
+                    (quadrant & 1, quadrant >> 1)
+                };
+                key = key << 2 | (3 * x) ^ y;
+                if y == 0 {
+                    state ^= 1 | x << 1;
+                }
+            }
+            steps[start as usize][digits as usize] = state << 8 | key;
+            digits += 1;
+        }
+        start += 1;
+    }
+    steps
 }
 
 #[cfg(test)]
@@ -53,24 +57,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn consecutive_positions_are_neighbouring_cells() {
-        // The curve of order 5 is the start of the curve of order 32.
-        let mut cell_at = vec![None; 1 << 10];
-        for x in 0..32u32 {
-            for y in 0..32u32 {
-                let index = usize::try_from(hilbert_index(x, y)).unwrap();
-                assert!(cell_at[index].replace((x, y)).is_none());
-            }
-        }
-        for pair in cell_at.windows(2) {
-            let ((x0, y0), (x1, y1)) = (pair[0].unwrap(), pair[1].unwrap());
-            assert_eq!(x0.abs_diff(x1) + y0.abs_diff(y1), 1);
+    fn consecutive_keys_are_adjacent_cells() {
+        let side = 64i32;
+        let mut cells: Vec<(u32, i32, i32)> = (0..side)
+            .flat_map(|x| (0..side).map(move |y| (x, y)))
+            .map(|(x, y)| (key(x.cast_unsigned(), y.cast_unsigned()), x, y))
+            .collect();
+        cells.sort_unstable();
+        for (i, pair) in (0u32..).zip(cells.windows(2)) {
+            let [(key, x, y), (_, x2, y2)] = pair else {
+                unreachable!()
+            };
+            assert_eq!(*key, i);
+            assert_eq!((x - x2).abs() + (y - y2).abs(), 1);
         }
     }
 
     #[test]
-    fn one_point_and_none() {
-        assert_eq!(hilbert_keys(&[]), []);
-        assert_eq!(hilbert_keys(&[DVec2::new(3.0, 4.0)]), [0]);
+    fn the_last_cell_has_the_last_key() {
+        assert_eq!(key(65_535, 0), u32::MAX);
     }
 }

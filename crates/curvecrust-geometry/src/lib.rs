@@ -8,26 +8,27 @@
 //! | [`segment`] | [`Segment`] | closest point and distance |
 //! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
-//! | [`hilbert`] | [`hilbert_index`], [`hilbert_keys`] | an order in which neighbours are close |
+//! | [`spatial_order`] | [`hilbert_order`] | an order in which neighbours are close |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
 //!
 //! Points are [`glam::DVec2`].
 
 pub mod chains;
 pub mod edge_set;
-pub mod hilbert;
+mod hilbert;
 pub mod point_set;
 pub mod predicates;
 pub mod segment;
 pub mod segment_tree;
 pub mod similarity;
+pub mod spatial_order;
 
 pub use chains::Chain;
 pub use edge_set::{Edge, EdgeSet};
 pub use glam::DVec2;
-pub use hilbert::{hilbert_index, hilbert_keys};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;
+pub use spatial_order::hilbert_order;

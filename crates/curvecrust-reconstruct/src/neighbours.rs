@@ -3,14 +3,12 @@
 mod candidates;
 mod edges;
 mod half_plane;
-mod hilbert;
 mod kernel;
 mod lanes;
-mod order;
 mod search;
 mod tree;
 
-use curvecrust_geometry::{EdgeSet, PointId, PointSet};
+use curvecrust_geometry::{EdgeSet, PointId, PointSet, hilbert_order};
 use rayon::prelude::*;
 
 use crate::hnn_crust::Keep;
@@ -83,7 +81,7 @@ pub(crate) struct Choices {
 impl Choices {
     /// The nearest and the half neighbour of every point.
     pub(crate) fn new(points: &PointSet, rule: HalfRule) -> Self {
-        let order = order::spatial(points.points());
+        let order: Vec<u32> = hilbert_order(points).into_iter().map(u32::from).collect();
         let tree = Tree::new(points.points(), &order);
         let mut chosen = vec![[NONE; 2]; tree.len()];
         chosen

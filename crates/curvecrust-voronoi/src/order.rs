@@ -5,8 +5,7 @@
 //! expectation; inside a round any order may be taken, so one that is kind to the walk and the
 //! cache: along the Hilbert curve.
 
-use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{PointId, PointSet, hilbert_keys};
+use curvecrust_geometry::{PointId, PointSet, hilbert_order};
 
 /// Rounds below this size are one: there is nothing to gain among so few points.
 const FIRST_ROUND: usize = 256;
@@ -18,18 +17,9 @@ const FIRST_ROUND: usize = 256;
 /// shifted exactly. The randomness has a fixed seed. Cost: O(n log n).
 #[must_use]
 pub fn brio_order(points: &PointSet) -> Vec<PointId> {
-    let mut sorted: Vec<(u64, PointId)> = hilbert_keys(points.points())
-        .into_iter()
-        .zip(points.ids())
-        .collect();
-    sorted.sort_unstable_by(|a, b| {
-        a.0.cmp(&b.0)
-            .then_with(|| by_coordinates(points[a.1], points[b.1]))
-    });
-
     let last_round = (points.len() / FIRST_ROUND).checked_ilog2().unwrap_or(0);
     let mut rounds: Vec<Vec<PointId>> = vec![Vec::new(); last_round as usize + 1];
-    for (rank, (_, id)) in (0u64..).zip(sorted) {
+    for (rank, id) in (0u64..).zip(hilbert_order(points)) {
         // The last round takes a point with probability 1/2, the one before with 1/4, and so on.
         let heads = mixed(rank).trailing_zeros().min(last_round);
         rounds[(last_round - heads) as usize].push(id);

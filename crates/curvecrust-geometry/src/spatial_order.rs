@@ -1,9 +1,10 @@
 //! An order of the points in which neighbours in the plane are close to each other.
 
-use curvecrust_geometry::DVec2;
+use glam::DVec2;
 use rayon::prelude::*;
 
-use super::hilbert;
+use crate::hilbert;
+use crate::point_set::{PointId, PointSet, by_coordinates};
 
 /// Points that may share a cell of the grid; more of them get a grid of their own.
 const CROWD: usize = 24;
@@ -11,19 +12,34 @@ const CROWD: usize = 24;
 /// Below this many points a task is not divided among threads.
 const TASK: usize = 1 << 14;
 
-/// The indices of `points` along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding
-/// box; the points of a crowded cell are ordered in the same way on a grid over theirs.
+/// The points along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding box: every id
+/// once.
 ///
-/// Every grid separates the two extreme points of its cell, and is 2^16 times as fine as the last:
-/// coordinates between 2^-194 and 2^202 bound the depth to 25.
-pub(super) fn spatial(points: &[DVec2]) -> Vec<u32> {
-    let Ok(count) = u32::try_from(points.len()) else {
-        // A point set has fewer points.
-        return Vec::new();
-    };
-    let mut packed: Vec<u64> = (0..count).map(u64::from).collect();
-    sort(points, &mut packed);
-    packed.iter().map(|&p| index(p)).collect()
+/// The points of a crowded cell are ordered in the same way on a grid over theirs, those that share
+/// one otherwise by coordinates. So the order depends on the coordinates alone, not on that of the
+/// points nor on the number of threads, and not on a scale by a power of two or an exact shift.
+///
+/// Cost: O(n log n), that of sorting numbers of 64 bits. Every grid separates the two extreme points
+/// of its cell and is 2^16 times as fine as the last; the range of coordinates bounds the depth to 25.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet, hilbert_order};
+///
+/// let corners = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| DVec2::new(x, y));
+/// let points = PointSet::new(corners.to_vec())?;
+/// let order = hilbert_order(&points);
+/// // From corner to corner around the square, never across.
+/// assert!(order.windows(2).all(|pair| points[pair[0]].distance(points[pair[1]]) == 1.0));
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
+    let mut packed: Vec<u64> = points.ids().map(|id| u64::from(u32::from(id))).collect();
+    sort(points.points(), &mut packed);
+    packed
+        .into_iter()
+        .map(|p| PointId::from(index(p)))
+        .collect()
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "the low half is the index")]
@@ -47,6 +63,9 @@ fn sort(points: &[DVec2], packed: &mut [u64]) {
     for crowd in packed.chunk_by_mut(|a, b| a >> 32 == b >> 32) {
         if crowd.len() > CROWD {
             sort(points, crowd);
+        } else if crowd.len() > 1 {
+            let at = |p: &u64| points[index(*p) as usize];
+            crowd.sort_unstable_by(|p, q| by_coordinates(at(p), at(q)));
         }
     }
 }
@@ -112,14 +131,32 @@ mod tests {
             .flat_map(|depth| (1..=100).map(move |i| (depth, i)))
             .map(|(depth, i)| DVec2::new(f64::from(i) * 1e-6f64.powi(depth), 0.0))
             .collect();
-        let points = &points[..700];
-        let order = spatial(points);
+        let points = PointSet::new(points[..700].to_vec()).unwrap();
+        let order = hilbert_order(&points);
         let mut sorted = order.clone();
         sorted.sort_unstable();
-        assert!(sorted.into_iter().eq(0..700));
-        let xs = order.iter().map(|&i| points[i as usize].x);
+        assert!(sorted.into_iter().eq(points.ids()));
+        let xs = order.iter().map(|&id| points[id].x);
         let jumps = xs.clone().zip(xs.skip(1)).filter(|(a, b)| a > b).count();
         assert!(jumps < 100, "{jumps}");
+    }
+
+    #[test]
+    fn the_order_of_the_points_does_not_matter() {
+        // Several to a cell, some cells crowded.
+        let mut points: Vec<DVec2> = (0..3000u32)
+            .map(|i| DVec2::new(f64::from(i % 7) * 1e-9, f64::from(i / 7) * 1e-7))
+            .chain([DVec2::ONE])
+            .collect();
+        let ordered = |points: &[DVec2]| {
+            let points = PointSet::new(points.to_vec()).unwrap();
+            let order = hilbert_order(&points);
+            order.into_iter().map(|id| points[id]).collect::<Vec<_>>()
+        };
+        let before = ordered(&points);
+        points.reverse();
+        points.rotate_left(1234);
+        assert_eq!(before, ordered(&points));
     }
 
     #[test]
