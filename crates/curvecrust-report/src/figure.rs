@@ -82,7 +82,7 @@ const MARGIN: f64 = 16.0;
 /// From one line of text to the next.
 const LINE: f64 = 22.0;
 /// Of the mark that stands in the legend before its name.
-const SWATCH: DVec2 = DVec2::new(34.0, 16.0);
+const SWATCH: DVec2 = DVec2::new(34.0, 20.0);
 /// Of a letter in the legend, about: enough for none to touch.
 const LETTER: f64 = 8.6;
 

@@ -32,20 +32,22 @@ font: 1rem/1.5 system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif } \
 h1 { font-size: 1.6rem; line-height: 1.25 } h2 { font-size: 1.15rem; margin: 0 0 .4rem } \
 p { max-width: 48rem; margin: .4rem 0 } \
 main { display: grid; gap: 1.5rem; grid-template-columns: minmax(0, 1fr) } \
-@media (min-width: 84rem) { main { grid-template-columns: minmax(0, 11fr) minmax(0, 9fr) } } \
+@media (min-width: 84rem) { main { grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) } \
+.tables { position: sticky; top: 1rem; align-self: start; max-height: calc(100vh - 2rem); overflow-y: auto } } \
 section { border: 1px solid var(--line); border-radius: .5rem; background: var(--card); \
 padding: 1rem; margin: 0 0 1.5rem } \
-.panels { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15rem), 1fr)) } \
-figure { margin: 0; text-align: center; align-self: center } \
+.panels { display: grid; gap: .5rem; grid-template-columns: \
+repeat(auto-fit, minmax(min(100%, max(15rem, 100% / (var(--columns) + 1))), 1fr)) } \
+figure { margin: 0; text-align: center; align-self: start } \
 figure svg { width: 100%; max-width: 26rem; height: auto } \
-figcaption { font-size: .95rem; white-space: pre-line } \
+figcaption { font-size: .88rem; white-space: pre-line } \
 .marks { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; padding: 0; \
 margin: .8rem 0 0; color: var(--soft); font-size: .9rem } \
 .marks li { display: flex; align-items: center; gap: .4rem } .marks svg { flex: none } \
 .wide { overflow-x: auto } \
-table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums } \
-th, td { padding: .25rem .5rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap } \
-th { color: var(--soft); font-weight: 600 }";
+table { border-collapse: collapse; font-size: .8rem; font-variant-numeric: tabular-nums } \
+th, td { padding: .25rem .4rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap } \
+th { color: var(--soft); font-weight: 600; white-space: normal; vertical-align: bottom }";
 
 /// The whole report: the tables of [`render::markdown`] and the figures.
 #[must_use]
@@ -61,15 +63,17 @@ pub fn page(report: &PaperReport, figures: &[Exhibit]) -> String {
          <p>Figures and tables of the paper by S. Ohrhallinger, S. A. Mitchell and M. Wimmer (SGP 2016), \
          drawn and measured by <code>cargo xtask reproduce-paper --figures</code>. Counts in the captions \
          are those of the tables in the paper's own setting: shrinking-ball lfs, 300 points a segment.</p>\n\
-         <main>\n<div>\n{figures}</div>\n<div>\n{tables}</div>\n</main>\n</body>\n</html>\n"
+         <main>\n<div>\n{figures}</div>\n<div class=\"tables\">\n{tables}</div>\n</main>\n</body>\n</html>\n"
     )
 }
 
 fn exhibit(exhibit: &Exhibit) -> String {
     let mut text = format!(
-        "<section id=\"figure-{n}\">\n<h2>Figure {n}: {}</h2>\n<p>{}</p>\n<div class=\"panels\">\n",
+        "<section id=\"figure-{n}\">\n<h2>Figure {n}: {}</h2>\n<p>{}</p>\n<div class=\"panels\" \
+         style=\"--columns: {}\">\n",
         escaped(&exhibit.heading),
         escaped(&exhibit.text),
+        exhibit.figure.columns,
         n = exhibit.number,
     );
     let figure = &exhibit.figure;
@@ -114,6 +118,9 @@ fn tables(markdown: &str) -> String {
     }
 }
 
+/// A sign between two words, in one line with them.
+const UNBROKEN: &str = "\u{a0}&lt;\u{a0}";
+
 fn table(block: &str) -> String {
     let mut text = "<div class=\"wide\"><table>\n".to_owned();
     for (i, line) in block
@@ -127,7 +134,12 @@ fn table(block: &str) -> String {
         let tag = if i == 0 { "th" } else { "td" };
         let cells = line.trim_matches('|').split('|').map(str::trim);
         let cells: String = cells
-            .map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell)))
+            .map(|cell| {
+                format!(
+                    "<{tag}>{}</{tag}>",
+                    escaped(cell).replace(" &lt; ", UNBROKEN)
+                )
+            })
             .collect();
         let _ = writeln!(text, "<tr>{cells}</tr>");
     }

@@ -82,13 +82,13 @@ impl Layer {
         }
     }
 
-    /// A mark of this kind for the legend, in a box of 34 by 16 pixels.
+    /// A mark of this kind for the legend, in a box of 34 by 20 pixels.
     pub(super) fn swatch(&self) -> Self {
-        let ends = [DVec2::new(3.0, 8.0), DVec2::new(31.0, 8.0)];
-        let middle = vec![DVec2::new(17.0, 8.0)];
+        let ends = [DVec2::new(3.0, 10.0), DVec2::new(31.0, 10.0)];
+        let middle = vec![DVec2::new(17.0, 10.0)];
         let line = vec![(ends.to_vec(), false)];
         let segment = vec![Segment::new(ends[0], ends[1])];
-        let corners = [(6.0, 2.0), (28.0, 2.0), (28.0, 14.0), (6.0, 14.0)];
+        let corners = [(6.0, 4.0), (28.0, 4.0), (28.0, 16.0), (6.0, 16.0)];
         match self {
             Self::Curve(_) => Self::Curve(line),
             Self::MedialAxis(_) => Self::MedialAxis(segment),
@@ -100,7 +100,7 @@ impl Layer {
             Self::Balls(_) => Self::Balls(
                 [12.0, 17.0, 22.0]
                     .map(|x| Ball {
-                        centre: DVec2::new(x, 8.0),
+                        centre: DVec2::new(x, 10.0),
                         radius: 7.0,
                     })
                     .to_vec(),
