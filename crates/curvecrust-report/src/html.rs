@@ -47,6 +47,7 @@ margin: .8rem 0 0; color: var(--soft); font-size: .9rem } \
 .wide { overflow-x: auto } \
 table { border-collapse: collapse; font-size: .8rem; font-variant-numeric: tabular-nums } \
 th, td { padding: .25rem .4rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap } \
+td:last-child { white-space: normal } \
 th { color: var(--soft); font-weight: 600; white-space: normal; vertical-align: bottom }";
 
 /// The whole report: the tables of [`render::markdown`] and the figures.
