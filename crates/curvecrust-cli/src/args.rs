@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use clap::builder::PossibleValuesParser;
-use clap::{ArgGroup, Parser, Subcommand};
+use clap::{ArgGroup, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use curvecrust::reconstruct::ALGORITHMS;
 use std::num::NonZeroUsize;
@@ -56,6 +56,9 @@ pub(crate) struct Sample {
     pub(crate) curve: Curve,
     #[command(flatten)]
     pub(crate) condition: Condition,
+    /// How to choose among the samplings that satisfy the condition
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Count::Fewest)]
+    pub(crate) count: Count,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout
@@ -291,6 +294,17 @@ pub(crate) struct Output {
     /// Overwrite an existing file
     #[arg(long)]
     pub(crate) force: bool,
+}
+
+/// Which samples are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Count {
+    /// Greedily, from the best of all starts
+    Fewest,
+    /// Greedily, from the start of each curve
+    Greedy,
+    /// Fewer than the condition asks for: as few as HNN-Crust still reconstructs, without a guarantee
+    Verified,
 }
 
 /// A length, or a share of the extent of a curve.

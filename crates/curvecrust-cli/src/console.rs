@@ -1,6 +1,6 @@
 //! What people read while a command runs: stderr, which is theirs alone.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Display;
 use std::io::{IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -30,44 +30,62 @@ impl Console {
         let _ = writeln!(std::io::stderr(), "error: {error:#}");
     }
 
-    /// Carries out a piece of work. If it takes longer than a second, and on a terminal, it is shown.
-    pub(crate) fn during<T>(&self, what: &str, work: impl FnOnce() -> T) -> T {
+    /// Carries out a piece of work, which may tell how much of how much is done. If it takes longer
+    /// than a second, and on a terminal, it is shown.
+    pub(crate) fn during<T>(
+        &self,
+        what: &str,
+        work: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T,
+    ) -> T {
         let shown = !self.quiet && std::io::stderr().is_terminal();
-        let spinner = shown.then(|| Spinner::after_a_second(what.to_owned()));
-        let done = work();
-        drop(spinner);
-        done
+        if !shown {
+            return work(&|_done, _of| {});
+        }
+        let progress = Progress::after_a_second(what.to_owned());
+        work(&|done, of| {
+            progress.bar.set_length(of as u64);
+            progress.bar.set_position(done as u64);
+        })
     }
 }
 
-/// A thread that shows a spinner until it is told to stop, which dropping does.
-struct Spinner {
+/// A bar, and the thread that shows it until it is told to stop, which dropping does.
+struct Progress {
+    bar: ProgressBar,
     stop: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Spinner {
+impl Progress {
     fn after_a_second(what: String) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let (stop, stopped) = channel();
+        let shown = bar.clone();
         let thread = std::thread::spawn(move || {
             let second = stopped.recv_timeout(Duration::from_secs(1));
             if second == Err(RecvTimeoutError::Timeout) {
-                let bar = ProgressBar::new_spinner().with_message(what);
-                let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
-                bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
-                bar.enable_steady_tick(Duration::from_millis(100));
+                let template = match shown.length() {
+                    Some(_) => "{spinner} {msg} {bar:30} {percent} % ({elapsed})",
+                    None => "{spinner} {msg} ({elapsed})",
+                };
+                let style = ProgressStyle::with_template(template);
+                shown.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+                shown.set_message(what);
+                shown.set_draw_target(ProgressDrawTarget::stderr());
+                shown.enable_steady_tick(Duration::from_millis(100));
                 let _ = stopped.recv();
-                bar.finish_and_clear();
+                shown.finish_and_clear();
             }
         });
         Self {
+            bar,
             stop: Some(stop),
             thread: Some(thread),
         }
     }
 }
 
-impl Drop for Spinner {
+impl Drop for Progress {
     fn drop(&mut self) {
         self.stop.take();
         if let Some(thread) = self.thread.take() {

@@ -30,7 +30,7 @@ impl BarePoints {
     /// Reads points and settles that they are distinct.
     pub(crate) fn read(args: &args::Points, console: &Console) -> anyhow::Result<Self> {
         let name = input::name(&args.path);
-        let rows = console.during(&format!("reading {name}"), || {
+        let rows = console.during(&format!("reading {name}"), |_| {
             points::read(&args.path, args.from)
         })?;
         Self::new(rows, args.merge_duplicates).with_context(|| name)

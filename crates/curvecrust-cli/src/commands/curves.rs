@@ -38,7 +38,7 @@ pub(super) fn measured(
             gap_to_lfs: args.gap.unwrap_or(finest),
         },
     };
-    let measured = console.during("measuring the local feature size", || {
+    let measured = console.during("measuring the local feature size", |_| {
         measure(curve, discretisation, Estimator::Voronoi)
     });
     measured.with_context(|| input::name(&args.path))

@@ -79,7 +79,7 @@ fn draw_points(
     if args.edges.is_some() || args.violations {
         let name = args.edges.as_deref().unwrap_or(DEFAULT);
         let algorithm = reconstruct::algorithm(name)?;
-        let found = console.during("reconstructing", || {
+        let found = console.during("reconstructing", |_| {
             Reconstruction::by(algorithm, &bare.points)
         });
         let places = |ids: Vec<PointId>| -> Vec<DVec2> {

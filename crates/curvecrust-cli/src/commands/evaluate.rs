@@ -45,7 +45,7 @@ pub(crate) fn run(args: &args::Evaluate, console: &Console) -> anyhow::Result<Ou
         .with_context(|| input::name(&args.points.path))?;
     let truth = consecutive(&measured, &placed);
     let evaluate = |name: &String| evaluate(&curve, &bare, &truth, name);
-    let results = console.during("evaluating", || {
+    let results = console.during("evaluating", |_| {
         args.algorithm.iter().map(evaluate).collect()
     });
     let object = Object {

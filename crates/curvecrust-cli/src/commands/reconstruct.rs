@@ -34,11 +34,11 @@ pub(crate) fn run(args: &args::Reconstruct, console: &Console) -> anyhow::Result
     let bare = BarePoints::read(&args.points, console)?;
     let termini = args.terminus.iter().map(|&row| bare.point(row));
     let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
-    let edges = console.during("reconstructing", || {
+    let edges = console.during("reconstructing", |_| {
         algorithm.reconstruct_open(&bare.points, &termini)
     })?;
     let summary = Summary::new(&bare, &edges, &termini);
-    console.during("writing", || write(output.as_ref(), args, &bare, edges))?;
+    console.during("writing", |_| write(output.as_ref(), args, &bare, edges))?;
     console.say(summary);
     Ok(Outcome::Fine)
 }

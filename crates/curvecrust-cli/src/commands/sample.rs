@@ -1,7 +1,7 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
 use super::{Bounds, Outcome, curves};
-use crate::args;
+use crate::args::{self, Count};
 use crate::console::Console;
 use crate::format::Format;
 use crate::input;
@@ -10,7 +10,11 @@ use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::hausdorff;
-use curvecrust::sampling::{CertifiedSampling, SampledCurve, sample, sample_curve};
+use curvecrust::reconstruct::HnnCrust;
+use curvecrust::sampling::{
+    CertifiedSampling, Condition, DeviationLimit, PlacedSamples, SampledCurve, Verification, check,
+    sample, sample_curve, sample_fewest, sample_verified,
+};
 use serde::Serialize;
 use serde_json::{Map, json};
 use std::io::{self, Write};
@@ -29,6 +33,11 @@ const FORMATS: &[Format] = &[
 
 /// How exactly the Hausdorff distance is computed, as a share of the extent.
 const HAUSDORFF_TOLERANCE: f64 = 1e-4;
+
+/// How far the curve may be from the chords of verified samples, as a share of lfs.
+const DEVIATION: f64 = 0.9;
+/// How often verified samples are shaken: some hundred times find most.
+const ROUNDS: usize = 300;
 
 /// What `--json` prints; the schema is stable, and in `docs/formats.md`.
 #[derive(Serialize)]
@@ -59,15 +68,8 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
     let Some(condition) = curves::condition(&args.condition, &curve)? else {
         bail!("give either --rho or --epsilon");
     };
-    let certified = if args.curve.gap.is_some() || args.curve.per_segment.is_some() {
-        let measured = curves::measured(&args.curve, &curve, None, console)?;
-        sample(&measured, condition)
-    } else {
-        console
-            .during("sampling", || sample_curve(&curve, condition))
-            .map(|(_, certified)| certified)
-    };
-    let certified = certified.with_context(|| input::name(&args.curve.path))?;
+    let certified =
+        taken(args, &curve, condition, console).with_context(|| input::name(&args.curve.path))?;
     let samples = &certified.samples;
     if let Some(output) = output {
         match output.format {
@@ -89,11 +91,58 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
         output::print_json(&object(&curve, &certified)?)?;
     }
     let (name, bound) = curves::bound(condition);
+    let verified = if args.count == Count::Verified {
+        ", fewer than the condition asks for: verified for this sample set only"
+    } else {
+        ""
+    };
     console.say(format_args!(
-        "{} samples for {name} < {bound}",
+        "{} samples for {name} < {bound}{verified}",
         samples.len()
     ));
     Ok(Outcome::Fine)
+}
+
+/// Samples as they were asked for.
+fn taken(
+    args: &args::Sample,
+    curve: &Curve,
+    condition: Condition,
+    console: &Console,
+) -> anyhow::Result<CertifiedSampling> {
+    let (measured, greedy) = if args.curve.gap.is_some() || args.curve.per_segment.is_some() {
+        let measured = curves::measured(&args.curve, curve, None, console)?;
+        let greedy = sample(&measured, condition)?;
+        (measured, greedy)
+    } else {
+        console.during("sampling", |_| sample_curve(curve, condition))?
+    };
+    match args.count {
+        Count::Greedy => Ok(greedy),
+        Count::Fewest => Ok(console.during("sampling from every start", |progress| {
+            sample_fewest(&measured, condition, progress)
+        })?),
+        Count::Verified => {
+            let verification = Verification {
+                algorithm: &HnnCrust::MUTUAL,
+                deviation: match condition.hausdorff_limit() {
+                    Some(limit) => DeviationLimit::Length(limit),
+                    None => DeviationLimit::OfLfs(DEVIATION),
+                },
+                rounds: ROUNDS,
+                seed: 1,
+            };
+            let verified = console.during("taking samples away", |progress| {
+                sample_verified(&measured, &greedy.samples, verification, progress)
+            })?;
+            let placed = PlacedSamples::of(&measured, &verified.samples)?;
+            Ok(CertifiedSampling {
+                attained: check(&measured, &placed, condition).worst,
+                samples: verified.samples,
+                condition,
+            })
+        }
+    }
 }
 
 fn object(curve: &Curve, certified: &CertifiedSampling) -> anyhow::Result<Object> {

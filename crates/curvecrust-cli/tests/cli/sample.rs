@@ -82,6 +82,24 @@ fn every_format_holds_the_same_samples() {
 }
 
 #[test]
+fn counts_are_ordered_and_only_the_verified_one_is_beyond_the_bound() {
+    let folder = Folder::new();
+    let curve = fixture("curves/bunny.svg").display().to_string();
+    let sample = |how: &str| {
+        let line = format!("sample {curve} --epsilon 0.4 --count {how} --json");
+        let run = folder.run(&line);
+        assert_eq!(run.stderr.contains("verified"), how == "verified");
+        json(&run.fine())
+    };
+    let [verified, fewest, greedy] = ["verified", "fewest", "greedy"].map(sample);
+    let count = |object: &serde_json::Value| object["count"].as_u64().unwrap();
+    assert!(count(&verified) < count(&fewest) && count(&fewest) <= count(&greedy));
+    let attained = |object: &serde_json::Value| object["attained"]["upper"].as_f64();
+    assert!(attained(&fewest).unwrap() < 0.4 && attained(&greedy).unwrap() < 0.4);
+    assert!(attained(&verified).is_none_or(|epsilon| epsilon > 0.4));
+}
+
+#[test]
 fn a_condition_is_asked_for() {
     let folder = Folder::with("circle.svg", CIRCLE);
     for (line, says) in [
