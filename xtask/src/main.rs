@@ -7,8 +7,10 @@
 )]
 
 mod bench;
+mod compare;
 mod docs;
 mod fetch_paper_data;
+mod png;
 mod reproduce_paper;
 mod root;
 mod test;
@@ -37,6 +39,8 @@ enum Task {
     FetchPaperData(fetch_paper_data::Args),
     /// Measure against peers and goals, print the table, write it under target/bench
     Bench(bench::Args),
+    /// Compare the reconstruction algorithms: experiments, tables, plots and a page
+    Compare(compare::Args),
     /// Draw and write the generated files under docs, or check that they are fresh
     Docs(docs::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
@@ -48,6 +52,7 @@ fn main() -> ExitCode {
         Task::Test(args) => test::run(&args),
         Task::FetchPaperData(args) => fetch_paper_data::run(&args),
         Task::Bench(args) => bench::run(&args),
+        Task::Compare(args) => compare::run(&args),
         Task::Docs(args) => docs::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
     };

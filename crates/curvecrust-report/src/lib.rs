@@ -5,10 +5,12 @@
 //! | [`published`] | the numbers that the paper prints in its Tables 1 to 3 |
 //! | [`paper`] | rows of those tables as measured, and their [agreement](paper::PaperReport::agreement) with the paper |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
+//! | [`compare`] | comparisons of algorithms: rows, means, tables, plots, a page |
 //! | [`render`] | tables as Markdown, CSV and JSON |
 //! | [`html`] | tables and figures as one page |
 
 mod agreement;
+pub mod compare;
 pub mod figure;
 pub mod html;
 pub mod paper;

@@ -288,7 +288,7 @@ fn shortest(value: f64) -> String {
 }
 
 /// A Markdown table with columns in line.
-fn grid(header: &[&str], rows: &[Vec<String>]) -> String {
+pub(crate) fn grid(header: &[&str], rows: &[Vec<String>]) -> String {
     let header: Vec<String> = header.iter().map(|&cell| cell.to_owned()).collect();
     let width = |column: usize| {
         let cells = rows

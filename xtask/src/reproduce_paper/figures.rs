@@ -3,13 +3,13 @@
 
 mod bare;
 mod covering;
-mod png;
 mod rolling;
 mod sampled;
 #[cfg(test)]
 mod tests;
 
 use super::models::Model;
+use crate::png;
 use crate::whole::write_whole;
 use curvecrust::geometry::{EdgeSet, PointSet, Segment};
 use curvecrust::report::{Exhibit, PaperReport, html};

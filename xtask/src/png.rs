@@ -10,12 +10,12 @@ use std::sync::Arc;
 const SCALE: f32 = 2.0;
 
 /// Draws documents, with the font loaded once.
-pub(super) struct Rasteriser {
+pub(crate) struct Rasteriser {
     options: Options<'static>,
 }
 
 impl Rasteriser {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let mut fonts = Database::new();
         fonts.load_font_data(notosans::REGULAR_TTF.to_vec());
         fonts.load_font_data(notosans::ITALIC_TTF.to_vec());
@@ -28,7 +28,7 @@ impl Rasteriser {
         Self { options }
     }
 
-    pub(super) fn png(&self, svg: &str) -> anyhow::Result<Vec<u8>> {
+    pub(crate) fn png(&self, svg: &str) -> anyhow::Result<Vec<u8>> {
         let tree = Tree::from_str(svg, &self.options).context("cannot read our own SVG")?;
         let size = tree.size().to_int_size();
         let size = size.scale_by(SCALE).context("a figure without a size")?;

@@ -1,0 +1,466 @@
+//! Line charts: one line per algorithm with a band of confidence, each told apart by colour, dashes
+//! and marker, and named at its end.
+
+use std::fmt::Write;
+
+use crate::compare::style::{LINES, escaped, open, text_width};
+
+pub use crate::compare::style::Paper;
+
+/// Lines over an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// What it shows.
+    pub title: String,
+    /// Below.
+    pub x: Axis,
+    /// At the left.
+    pub y: Axis,
+    /// The lines, the most important first: it is drawn on top.
+    pub lines: Vec<Line>,
+}
+
+/// One axis of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What it measures, with its unit.
+    pub label: String,
+    /// Equal steps or equal factors.
+    pub scale: Scale,
+    /// From and to; `None` for what the lines need.
+    pub range: Option<[f64; 2]>,
+    /// Whether values are shares, to be shown in per cent.
+    pub format: Format,
+}
+
+/// How values are placed along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// In proportion to their difference.
+    Linear,
+    /// In proportion to their ratio.
+    Log,
+}
+
+/// How values at an axis are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// As numbers.
+    Plain,
+    /// As hundredths.
+    Percent,
+}
+
+/// One line of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its name.
+    pub name: String,
+    /// Its look: the same for the same algorithm in all charts.
+    pub look: usize,
+    /// Its points, ascending in x.
+    pub marks: Vec<Mark>,
+}
+
+/// A point of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// Along the x axis.
+    pub x: f64,
+    /// Along the y axis.
+    pub y: f64,
+    /// The band around y.
+    pub band: [f64; 2],
+}
+
+/// How wide a plot is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// For a page: names stand beside the ends of the lines.
+    Wide,
+    /// For a telephone: names stand below.
+    Narrow,
+}
+
+/// Where the values are drawn.
+struct Frame {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+    x: [f64; 2],
+    y: [f64; 2],
+}
+
+const TOP: f64 = 62.0;
+const LEGEND_LINE: f64 = 20.0;
+const HEAD_LINE: f64 = 20.0;
+/// Lines are moved so many pixels apart, so that equal ones can be told from each other.
+const APART: f64 = 2.2;
+
+impl Chart {
+    /// The chart as SVG.
+    #[must_use]
+    pub fn to_svg(&self, width: Width, paper: Paper) -> String {
+        let names = self.lines.iter().map(|line| text_width(&line.name));
+        let named = names.fold(0.0, f64::max);
+        let (total, beside, plot) = match width {
+            Width::Wide => (760.0, named + 34.0, 330.0),
+            Width::Narrow => (360.0, 14.0, 240.0),
+        };
+        let columns = (((total - 20.0) / (named + 44.0)).floor()).max(1.0);
+        let rows = match width {
+            Width::Wide => 0.0,
+            Width::Narrow => (self.lines.len() as f64 / columns).ceil(),
+        };
+        let heading = wrapped(&self.title, (total - 24.0) / 8.6);
+        let top = TOP + HEAD_LINE * (heading.len() as f64 - 1.0);
+        let bottom = top + plot;
+        let frame = Frame {
+            left: 58.0,
+            right: total - beside,
+            top,
+            bottom,
+            x: self.x.range(self.marks().map(|m| [m.x, m.x])),
+            y: self.y.range(self.marks().map(|m| m.band)),
+        };
+        let height = bottom + 52.0 + rows * LEGEND_LINE;
+        let mut svg = open(&self.title, total, height, paper);
+        for (i, line) in heading.iter().enumerate() {
+            let (y, line) = (22.0 + HEAD_LINE * i as f64, escaped(line));
+            let _ = writeln!(svg, "<text class=\"head\" x=\"12\" y=\"{y}\">{line}</text>");
+        }
+        self.draw_axes(&mut svg, &frame);
+        let middle = (self.lines.len() as f64 - 1.0) / 2.0;
+        for (i, line) in self.lines.iter().enumerate().rev() {
+            self.draw_line(&mut svg, &frame, line, (i as f64 - middle) * APART);
+        }
+        match width {
+            Width::Wide => self.name_ends(&mut svg, &frame),
+            Width::Narrow => self.name_below(&mut svg, bottom + 58.0, named + 44.0, columns),
+        }
+        svg + "</svg>\n"
+    }
+
+    fn marks(&self) -> impl Iterator<Item = &Mark> {
+        self.lines.iter().flat_map(|line| &line.marks)
+    }
+
+    fn draw_axes(&self, svg: &mut String, frame: &Frame) {
+        let Frame {
+            left,
+            right,
+            top,
+            bottom,
+            ..
+        } = *frame;
+        let label = escaped(&self.y.label);
+        let _ = writeln!(
+            svg,
+            "<text class=\"faint\" x=\"12\" y=\"{}\">{label}</text>",
+            top - 18.0
+        );
+        for value in self.y.ticks(frame.y, 6.0) {
+            let y = px(self.y.place(value, frame.y, [bottom, top]));
+            let _ = writeln!(
+                svg,
+                "<path class=\"grid\" d=\"M{left} {y}H{right}\"/>\
+                 <text text-anchor=\"end\" x=\"{}\" y=\"{}\">{}</text>",
+                left - 8.0,
+                px(y + 4.5),
+                self.y.written(value)
+            );
+        }
+        let wanted = (right - left) / 55.0;
+        for value in self.x.ticks(frame.x, wanted) {
+            let x = px(self.x.place(value, frame.x, [left, right]));
+            let _ = writeln!(
+                svg,
+                "<path class=\"axis\" d=\"M{x} {bottom}v5\"/>\
+                 <text text-anchor=\"middle\" x=\"{x}\" y=\"{}\">{}</text>",
+                bottom + 20.0,
+                self.x.written(value)
+            );
+        }
+        let _ = writeln!(
+            svg,
+            "<path class=\"axis\" d=\"M{left} {bottom}H{right}\"/>\
+             <text class=\"faint\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>",
+            px(f64::midpoint(left, right)),
+            bottom + 42.0,
+            escaped(&self.x.label)
+        );
+    }
+
+    fn place(&self, frame: &Frame, x: f64, y: f64) -> (f64, f64) {
+        let x = self.x.place(x, frame.x, [frame.left, frame.right]);
+        let y = self.y.place(y, frame.y, [frame.bottom, frame.top]);
+        (px(x), px(y))
+    }
+
+    fn draw_line(&self, svg: &mut String, frame: &Frame, line: &Line, down: f64) {
+        let look = line.look % LINES;
+        let path = |ends: &mut dyn Iterator<Item = (f64, f64)>| {
+            let mut d = String::new();
+            for (i, (x, y)) in ends.enumerate() {
+                let (x, y) = self.place(frame, x, y);
+                let y = px(y + down);
+                let _ = write!(d, "{}{x} {y}", if i == 0 { "M" } else { "L" });
+            }
+            d
+        };
+        let upper = line.marks.iter().map(|m| (m.x, m.band[1]));
+        let lower = line.marks.iter().rev().map(|m| (m.x, m.band[0]));
+        let band = path(&mut upper.chain(lower));
+        let middle = path(&mut line.marks.iter().map(|m| (m.x, m.y)));
+        let _ = writeln!(
+            svg,
+            "<path class=\"b{look}\" d=\"{band}Z\"/><path class=\"l{look}\" d=\"{middle}\"/>"
+        );
+        for mark in &line.marks {
+            let (x, y) = self.place(frame, mark.x, mark.y);
+            svg.push_str(&marker(look, x, px(y + down)));
+        }
+        svg.push('\n');
+    }
+
+    /// Names at the ends of the lines, moved apart where these are close.
+    fn name_ends(&self, svg: &mut String, frame: &Frame) {
+        let last = |line: &Line| line.marks.last().map(|m| self.place(frame, m.x, m.y));
+        let mut ends: Vec<(&Line, (f64, f64))> = self
+            .lines
+            .iter()
+            .filter_map(|l| Some((l, last(l)?)))
+            .collect();
+        ends.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let wanted: Vec<f64> = ends.iter().map(|end| end.1.1).collect();
+        let placed = spread(&wanted, 17.0, frame.top, frame.bottom);
+        for ((line, (x, y)), at) in ends.iter().zip(placed) {
+            let (from, to) = (x + 6.0, frame.right + 16.0);
+            let at = px(at);
+            let _ = writeln!(
+                svg,
+                "<path class=\"leader\" d=\"M{} {y}L{} {at}\"/>\
+                 <text class=\"t{}\" x=\"{}\" y=\"{}\">{}</text>",
+                px(from),
+                px(to),
+                line.look % LINES,
+                px(to + 4.0),
+                px(at + 4.5),
+                escaped(&line.name)
+            );
+        }
+    }
+
+    fn name_below(&self, svg: &mut String, top: f64, step: f64, columns: f64) {
+        for (i, line) in self.lines.iter().enumerate() {
+            let (column, row) = (i as f64 % columns, (i as f64 / columns).floor());
+            let (x, y) = (px(12.0 + column * step), px(top + row * LEGEND_LINE));
+            let look = line.look % LINES;
+            let _ = writeln!(
+                svg,
+                "<path class=\"l{look}\" d=\"M{x} {y}h28\"/>{}<text x=\"{}\" y=\"{}\">{}</text>",
+                marker(look, x + 14.0, y),
+                x + 34.0,
+                px(y + 4.5),
+                escaped(&line.name)
+            );
+        }
+    }
+}
+
+/// A marker around a point; each look has its own.
+fn marker(look: usize, x: f64, y: f64) -> String {
+    let d = match look {
+        0 => format!(
+            "M{} {y}a4.2 4.2 0 1 0 8.4 0a4.2 4.2 0 1 0 -8.4 0Z",
+            px(x - 4.2)
+        ),
+        1 => format!("M{} {}h7v7h-7Z", px(x - 3.5), px(y - 3.5)),
+        2 => format!("M{x} {}l4.6 8h-9.2Z", px(y - 4.8)),
+        3 => format!("M{x} {}l5 5l-5 5l-5 -5Z", px(y - 5.0)),
+        4 => format!("M{x} {}l4.6 -8h-9.2Z", px(y + 4.8)),
+        5 => format!(
+            "M{} {}h3v3h3v3h-3v3h-3v-3h-3v-3h3Z",
+            px(x - 1.5),
+            px(y - 4.5)
+        ),
+        6 => format!("M{} {}h10v4h-10Z", px(x - 5.0), px(y - 2.0)),
+        _ => format!("M{} {}h4v10h-4Z", px(x - 2.0), px(y - 5.0)),
+    };
+    format!("<path class=\"m{look}\" d=\"{d}\"/>")
+}
+
+/// Ascending places at least `gap` apart within the ends, near to the wanted ones.
+fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> {
+    let mut placed: Vec<f64> = Vec::with_capacity(wanted.len());
+    for &at in wanted {
+        let least = placed.last().map_or(low, |last| last + gap);
+        placed.push(at.max(least));
+    }
+    let mut most = high;
+    for at in placed.iter_mut().rev() {
+        *at = at.min(most);
+        most = *at - gap;
+    }
+    placed
+}
+
+impl Axis {
+    /// What the lines need, or what was asked for; never empty.
+    fn range(&self, values: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+        if let Some(range) = self.range {
+            return range;
+        }
+        let values = values.flatten().filter(|v| self.shows(*v));
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        });
+        match self.scale {
+            _ if low > high => [1.0, 10.0],
+            Scale::Log => [low / 1.15, high * 1.15],
+            Scale::Linear if low >= high => [low - 0.5, high + 0.5],
+            Scale::Linear => {
+                // From zero, unless that would waste half of the chart.
+                let low = if low > 0.0 && low < 0.5 * high {
+                    0.0
+                } else {
+                    low
+                };
+                [low, high]
+            }
+        }
+    }
+
+    fn shows(&self, value: f64) -> bool {
+        value.is_finite() && (self.scale == Scale::Linear || value > 0.0)
+    }
+
+    /// The place of a value of the range between two pixels.
+    fn place(&self, value: f64, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
+        let share = match self.scale {
+            Scale::Linear => (value - low) / (high - low),
+            Scale::Log => (value.max(low) / low).ln() / (high / low).ln(),
+        };
+        from + (to - from) * share.clamp(0.0, 1.0)
+    }
+
+    /// Round values in a range, about as many as wanted.
+    fn ticks(&self, [low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
+        let in_range = |v: &f64| *v >= low * (1.0 - 1e-9) && *v <= high + (high - low) * 1e-9;
+        if self.scale == Scale::Log {
+            let decades = |digits: &'static [f64], every: i32| {
+                (-30..30)
+                    .filter(move |e| e % every == 0)
+                    .flat_map(move |e| digits.iter().map(move |d| d * 10f64.powi(e)))
+                    .filter(in_range)
+                    .collect::<Vec<_>>()
+            };
+            let choices = [
+                decades(&[1.0, 2.0, 5.0], 1),
+                decades(&[1.0], 1),
+                decades(&[1.0], 2),
+                decades(&[1.0], 3),
+            ];
+            let fits = |ticks: &&Vec<f64>| ticks.len() as f64 <= wanted.max(2.0) + 1.0;
+            return choices.iter().find(fits).unwrap_or(&choices[3]).clone();
+        }
+        let rough = (high - low) / wanted.max(1.0);
+        let power = 10f64.powf(rough.log10().floor());
+        let steps = [1.0, 2.0, 5.0, 10.0].map(|s| s * power);
+        let step = steps
+            .into_iter()
+            .find(|s| *s >= rough * 0.999)
+            .unwrap_or(steps[3]);
+        let first = (low / step - 1e-9).ceil();
+        (0..100)
+            .map(|i| (first + f64::from(i)) * step)
+            .take_while(|v| *v <= high + step * 1e-9)
+            .collect()
+    }
+
+    fn written(&self, value: f64) -> String {
+        let rounded = |v: f64| format!("{v:.5e}").parse::<f64>().unwrap_or(v) + 0.0;
+        match self.format {
+            Format::Percent => format!("{} %", rounded(100.0 * value)),
+            Format::Plain if value.abs() >= 1e4 || (value != 0.0 && value.abs() < 1e-3) => {
+                // As a power of ten.
+                let text = format!("{value:.0e}");
+                match text.split_once('e') {
+                    Some(("1", exponent)) => format!("10{}", superscript(exponent)),
+                    Some((digit, exponent)) => format!("{digit}·10{}", superscript(exponent)),
+                    None => text,
+                }
+            }
+            Format::Plain => rounded(value).to_string(),
+        }
+    }
+}
+
+fn superscript(exponent: &str) -> String {
+    let digits: Vec<char> = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().collect();
+    let digit = |c: char| digits.get(c.to_digit(10)? as usize).copied();
+    let small = |c: char| digit(c).unwrap_or('⁻');
+    exponent.chars().map(small).collect()
+}
+
+/// The words of a text in lines of about so many characters.
+fn wrapped(text: &str, most: f64) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if ((line.chars().count() + 1 + word.chars().count()) as f64) < most => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// To a hundredth of a pixel.
+fn px(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0 + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_moved_apart() {
+        let placed = spread(&[10.0, 10.0, 11.0, 99.0, 100.0], 17.0, 0.0, 100.0);
+        assert!(
+            placed.windows(2).all(|p| p[1] - p[0] >= 17.0 - 1e-9),
+            "{placed:?}"
+        );
+        assert!(placed[4] <= 100.0);
+    }
+
+    #[test]
+    fn ticks_are_round() {
+        let axis = |scale| Axis {
+            label: String::new(),
+            scale,
+            range: None,
+            format: Format::Plain,
+        };
+        let linear = axis(Scale::Linear);
+        let written = |axis: &Axis, range, n| {
+            let ticks = axis.ticks(range, n);
+            ticks
+                .iter()
+                .map(|&v| axis.written(v))
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        assert_eq!(written(&linear, [0.1, 1.0], 5.0), "0.2 0.4 0.6 0.8 1");
+        assert_eq!(written(&linear, [15.0, 120.0], 6.0), "20 40 60 80 100 120");
+        let log = axis(Scale::Log);
+        assert_eq!(written(&log, [900.0, 1.1e7], 8.0), "1000 10⁴ 10⁵ 10⁶ 10⁷");
+        assert_eq!(written(&log, [0.9, 12.0], 5.0), "1 2 5 10");
+        assert_eq!(written(&log, [1e-6, 10.0], 4.0), "10⁻⁶ 10⁻⁴ 0.01 1");
+    }
+}

@@ -1,0 +1,114 @@
+//! Algorithms against experiments: the share of trials with exactly the true edges.
+
+use std::fmt::Write;
+
+use crate::compare::chart::Paper;
+use crate::compare::sheet::{Panel, Sheet};
+use crate::compare::style::{escaped, open, text_width};
+
+/// A table of shares, as plots and tables show it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct HeatMap {
+    /// Experiment and group of inputs.
+    pub columns: Vec<String>,
+    /// Algorithm, and its shares; `None` where it was not run.
+    pub rows: Vec<(String, Vec<Option<f64>>)>,
+}
+
+impl HeatMap {
+    /// The mean over all values of each sweep.
+    #[must_use]
+    pub fn new(sheets: &[Sheet], algorithms: &[&str]) -> Self {
+        let panels: Vec<(&Sheet, &Panel)> = sheets
+            .iter()
+            .flat_map(|sheet| sheet.panels.iter().map(move |panel| (sheet, panel)))
+            .filter(|(_, panel)| panel.metric == "exact")
+            .collect();
+        let column = |&(sheet, panel): &(&Sheet, &Panel)| {
+            let groups = panels
+                .iter()
+                .filter(|p| p.0.experiment.name == sheet.experiment.name);
+            if groups.count() > 1 {
+                format!("{}: {}", sheet.experiment.name, panel.group)
+            } else {
+                sheet.experiment.name.clone()
+            }
+        };
+        let share = |panel: &Panel, algorithm: &str| {
+            let line = panel
+                .lines
+                .iter()
+                .find(|line| line.algorithm == algorithm)?;
+            let sum: f64 = line.answers.iter().map(|a| a.mean).sum();
+            Some(sum / line.answers.len() as f64)
+        };
+        let rows = algorithms.iter().map(|&algorithm| {
+            let shares = panels.iter().map(|(_, panel)| share(panel, algorithm));
+            (algorithm.to_owned(), shares.collect::<Vec<_>>())
+        });
+        Self {
+            columns: panels.iter().map(column).collect(),
+            rows: rows
+                .filter(|row| row.1.iter().any(Option::is_some))
+                .collect(),
+        }
+    }
+
+    /// The table as SVG, one line per experiment: it stays narrow however many there are.
+    #[must_use]
+    pub fn to_svg(&self, paper: Paper) -> String {
+        let widest = |names: &mut dyn Iterator<Item = &String>| {
+            names.map(|name| text_width(name)).fold(0.0, f64::max)
+        };
+        let left = widest(&mut self.columns.iter()) + 24.0;
+        let slanted = widest(&mut self.rows.iter().map(|row| &row.0)) * 0.72;
+        let (wide, high) = (58.0, 30.0);
+        let top = 40.0 + slanted + 14.0;
+        let width = left + wide * self.rows.len() as f64 + slanted.max(20.0);
+        let height = top + high * self.columns.len() as f64 + 14.0;
+        let title = "Exactly the true edges, share of trials";
+        let mut svg = open(title, width.ceil(), height.ceil(), paper);
+        let _ = writeln!(svg, "<text class=\"head\" x=\"12\" y=\"22\">{title}</text>");
+        for (i, (algorithm, shares)) in self.rows.iter().enumerate() {
+            let x = left + wide * i as f64;
+            let (tx, ty) = ((x + wide / 2.0 - 4.0).round(), (top - 8.0).round());
+            let _ = writeln!(
+                svg,
+                "<text transform=\"translate({tx} {ty}) rotate(-45)\">{}</text>",
+                escaped(algorithm)
+            );
+            for (j, share) in shares.iter().enumerate() {
+                let y = top + high * j as f64;
+                let _ = writeln!(
+                    svg,
+                    "<rect class=\"b1\" style=\"fill-opacity:{:.2}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
+                     <text text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>",
+                    0.04 + 0.5 * share.unwrap_or(0.0),
+                    (x + 1.0).round(),
+                    (y + 1.0).round(),
+                    wide - 2.0,
+                    high - 2.0,
+                    (x + wide / 2.0).round(),
+                    (y + high / 2.0 + 4.5).round(),
+                    percent(*share)
+                );
+            }
+        }
+        for (j, name) in self.columns.iter().enumerate() {
+            let y = (top + high * (j as f64 + 0.5) + 4.5).round();
+            let _ = writeln!(svg, "<text x=\"12\" y=\"{y}\">{}</text>", escaped(name));
+        }
+        svg + "</svg>\n"
+    }
+}
+
+/// A share in per cent; 100 % is said of nothing less.
+pub(crate) fn percent(share: Option<f64>) -> String {
+    match share {
+        None => "–".to_owned(),
+        Some(share) if share >= 1.0 => "100 %".to_owned(),
+        Some(share) if share > 0.995 => "99.9 %".to_owned(),
+        Some(share) if share > 0.0 && share < 0.005 => "0.1 %".to_owned(),
+        Some(share) => format!("{:.0} %", 100.0 * share),
+    }
+}

@@ -1,0 +1,255 @@
+//! `cargo xtask compare`: which algorithm for which points, and where does each one break.
+//!
+//! The experiments stand in `benches/experiments/*.toml`. A run writes one row per trial and
+//! algorithm, in an order that depends on neither threads nor time, and from the rows alone tables,
+//! plots and a page.
+
+mod cell;
+mod experiment;
+mod jumps;
+mod known;
+mod progress;
+mod random;
+mod run;
+mod scale;
+mod scene;
+#[cfg(test)]
+mod tests;
+mod trial;
+mod write;
+
+use crate::root::root;
+use crate::whole::write_whole;
+use anyhow::{Context, ensure};
+use cell::{Fixtures, Job};
+use curvecrust::reconstruct::ALGORITHMS;
+use curvecrust::report::compare::{Cells, Row, Timing, tables};
+use experiment::{Experiment, Input, Over};
+use rayon::prelude::*;
+use run::Plan;
+use scene::Scene;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// What was typed.
+#[derive(clap::Args, Clone, Default)]
+pub(crate) struct Args {
+    /// Only these algorithms, instead of those of each experiment
+    #[arg(long, value_delimiter = ',', value_name = "NAME")]
+    algorithms: Vec<String>,
+    /// Only these experiments, instead of all but `scale`
+    #[arg(long, value_delimiter = ',', value_name = "NAME")]
+    experiments: Vec<String>,
+    /// So many trials a cell, instead of what each experiment says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    trials: Option<u32>,
+    /// Another seed than those of the experiments
+    #[arg(long, value_name = "SEED")]
+    seed: Option<u64>,
+    /// So many threads, instead of one for each processor; they change run times only
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Few trials, values and curves
+    #[arg(long)]
+    quick: bool,
+    /// Go on where an interrupted run with the same options stopped
+    #[arg(long)]
+    resume: bool,
+    /// Where to write, instead of target/compare
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Measure an algorithm on a number of points with a seed, alone in this process
+    #[arg(long, hide = true, value_name = "NAME,N,SEED")]
+    measure: Option<String>,
+}
+
+/// Status of a run that was interrupted, as shells have it.
+const INTERRUPTED: u8 = 130;
+
+/// Runs the experiments, writes what came out, and compares it with what is known.
+pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    if let Some(what) = &args.measure {
+        return scale::measure(what).map(|()| ExitCode::SUCCESS);
+    }
+    let stop: &'static AtomicBool = Box::leak(Box::new(AtomicBool::new(false)));
+    ctrlc::set_handler(|| stop.store(true, Ordering::Relaxed))
+        .context("cannot listen for interruptions")?;
+    run_until(args, stop)
+}
+
+fn run_until(args: &Args, stop: &AtomicBool) -> anyhow::Result<ExitCode> {
+    let start = Instant::now();
+    let experiments = chosen(args)?;
+    let plan = plan(args, &experiments)?;
+    let folder = match &args.output {
+        Some(folder) => folder.clone(),
+        None => root().join("target/compare"),
+    };
+    let done = if args.resume {
+        run::resume(&plan, &folder)?
+    } else {
+        run::begin(&plan, &folder)?;
+        0
+    };
+    let threads = match args.threads {
+        Some(threads) => usize::from(threads),
+        None => std::thread::available_parallelism()?.get(),
+    };
+    let fixtures = measured(&plan.jobs[done..])?;
+    if !run::run(&plan, &fixtures, &folder, threads, done, stop)? {
+        eprintln!(
+            "stopped; complete cells are in {}: go on with --resume and the same options",
+            folder.display()
+        );
+        return Ok(ExitCode::from(INTERRUPTED));
+    }
+
+    let rows = Row::read(&text_of(&folder.join("rows.csv"))?)?;
+    let times = Timing::read(&text_of(&folder.join("times.csv"))?)?;
+    let cells = Cells::of_rows(&rows);
+    write_whole(&folder.join("cells.csv"), cells.to_csv())?;
+    let facts = facts(args);
+    let texts = write::texts(&experiments, &cells, &times, &facts)?;
+    write::write(&folder, &texts)?;
+    let described: Vec<_> = experiments.iter().map(Experiment::described).collect();
+    let names: Vec<&str> = ALGORITHMS.iter().map(|a| a.info().name).collect();
+    print!("{}", tables::overview_of(described, &cells, &names));
+    eprintln!(
+        "{} rows in {:.1} s; tables, plots and index.html are in {}",
+        rows.len(),
+        start.elapsed().as_secs_f64(),
+        folder.display()
+    );
+    let differing = known::differing(&experiments, &rows);
+    for answer in &differing {
+        eprintln!("failed: {answer}");
+    }
+    Ok(ExitCode::from(u8::from(!differing.is_empty())))
+}
+
+fn text_of(path: &Path) -> anyhow::Result<String> {
+    fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The experiments that were asked for.
+fn chosen(args: &Args) -> anyhow::Result<Vec<Experiment>> {
+    let all = experiment::all()?;
+    for name in &args.experiments {
+        let names: Vec<&str> = all.iter().map(|e| e.name.as_str()).collect();
+        ensure!(
+            names.contains(&name.as_str()),
+            "there is no experiment {name:?}: choose from {}",
+            names.join(", ")
+        );
+    }
+    let wanted = |e: &Experiment| {
+        if args.experiments.is_empty() {
+            e.sweep.over != Over::Points
+        } else {
+            args.experiments.contains(&e.name)
+        }
+    };
+    Ok(all.into_iter().filter(wanted).collect())
+}
+
+/// All cells, in the order of the rows.
+fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
+    for name in &args.algorithms {
+        experiment::algorithm(name)?;
+    }
+    let all_curves = curves()?;
+    let mut jobs = Vec::new();
+    for experiment in experiments {
+        let experiment = Arc::new(experiment.clone());
+        let usual = if args.quick {
+            experiment.quick_trials
+        } else {
+            experiment.trials
+        };
+        let values = if args.quick {
+            &experiment.sweep.quick
+        } else {
+            &experiment.sweep.values
+        };
+        for input in &experiment.input {
+            let curves: Vec<Option<String>> = match input {
+                Input::Curves { quick, .. } if args.quick => {
+                    quick.iter().cloned().map(Some).collect()
+                }
+                Input::Curves { curves, .. } if curves.is_empty() => {
+                    all_curves.iter().cloned().map(Some).collect()
+                }
+                Input::Curves { curves, .. } => curves.iter().cloned().map(Some).collect(),
+                _ => vec![None],
+            };
+            for (curve, &x) in curves
+                .iter()
+                .flat_map(|c| values.iter().map(move |x| (c, x)))
+            {
+                jobs.push(Job {
+                    experiment: Arc::clone(&experiment),
+                    input: input.clone(),
+                    curve: curve.clone(),
+                    x,
+                    trials: args.trials.unwrap_or(usual),
+                });
+            }
+        }
+    }
+    Ok(Plan {
+        jobs,
+        seed: args.seed,
+        algorithms: args.algorithms.clone(),
+    })
+}
+
+/// The names of the curves of the fixtures, sorted.
+fn curves() -> anyhow::Result<Vec<String>> {
+    let folder = root().join("fixtures/curves");
+    let mut names = Vec::new();
+    let entries =
+        fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    for entry in entries {
+        let path = entry?.path();
+        if path.extension().is_some_and(|e| e == "svg") {
+            names.push(
+                path.file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned(),
+            );
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The curves that jobs need, each measured once.
+fn measured(jobs: &[Job]) -> anyhow::Result<Fixtures> {
+    let names: BTreeSet<&String> = jobs.iter().filter_map(|job| job.curve.as_ref()).collect();
+    let names: Vec<&String> = names.into_iter().collect();
+    let scenes = names.into_par_iter().map(|name| {
+        let scene = Scene::fixture(name).with_context(|| format!("curve {name}"))?;
+        Ok((name.clone(), Arc::new(scene)))
+    });
+    scenes.collect()
+}
+
+/// What a page says of its run.
+fn facts(args: &Args) -> Vec<(String, String)> {
+    let seed = args
+        .seed
+        .map_or("those of the experiments".to_owned(), |s| s.to_string());
+    [
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("seed", seed),
+        ("run", if args.quick { "quick" } else { "whole" }.to_owned()),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .to_vec()
+}

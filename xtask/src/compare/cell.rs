@@ -1,0 +1,328 @@
+//! A cell: one input at one value of the sweep, from which each trial draws points with a known truth.
+
+use super::experiment::{Ends, Experiment, Input, Over, Tip};
+use super::jumps::{Bound, Jumps};
+use super::random::Random;
+use super::scene::{Part, Scene};
+use anyhow::Context;
+use curvecrust::DVec2;
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::sampling::with_outliers;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The scenes of the curves of the fixtures, by name: they are measured once.
+pub(super) type Fixtures = BTreeMap<String, Arc<Scene>>;
+
+/// What to run: an input of an experiment at a value of its sweep.
+#[derive(Clone, Debug)]
+pub(super) struct Job {
+    pub(super) experiment: Arc<Experiment>,
+    pub(super) input: Input,
+    /// The curve, for inputs that have several.
+    pub(super) curve: Option<String>,
+    pub(super) x: f64,
+    pub(super) trials: u32,
+}
+
+/// Points with a known truth.
+pub(super) struct Sampled {
+    pub(super) points: PointSet,
+    pub(super) boundary: EdgeSet,
+    /// The ends of open curves, if algorithms are to be told.
+    pub(super) termini: Vec<PointId>,
+}
+
+/// A job that is ready for its trials.
+pub(super) struct Cell {
+    pub(super) scene: Arc<Scene>,
+    steps: Vec<Steps>,
+    ends: Ends,
+    /// In spacings.
+    noise: f64,
+    /// For each sample.
+    outliers: f64,
+}
+
+/// How a part of a scene is sampled.
+enum Steps {
+    /// Under a condition.
+    Jumps { jumps: Jumps, thinning: f64 },
+    /// At jittered equal lengths.
+    Lengths {
+        spacing: f64,
+        jitter: f64,
+        start: Start,
+    },
+}
+
+/// Where the first sample of a closed part is.
+#[derive(Clone, Copy)]
+enum Start {
+    /// Anywhere.
+    Random,
+    /// On the first point.
+    Sampled,
+    /// So that the first point is in the middle of an interval.
+    Skipped,
+}
+
+/// How far outliers may be outside of the bounding box, in extents.
+const MARGIN: f64 = 0.05;
+
+impl Job {
+    /// The name of the series: the group's, and the curve's.
+    pub(super) fn series(&self) -> String {
+        let (Input::Curves { group, .. }
+        | Input::Teardrop { group, .. }
+        | Input::Racetracks { group, .. }
+        | Input::Circles { group, .. }
+        | Input::Sine { group, .. }
+        | Input::Spiral { group, .. }
+        | Input::Arcs { group, .. }
+        | Input::Planted { group }) = &self.input;
+        match &self.curve {
+            Some(curve) => format!("{group}/{curve}"),
+            None => group.clone(),
+        }
+    }
+
+    /// Makes the scene ready.
+    pub(super) fn prepare(&self, fixtures: &Fixtures) -> anyhow::Result<Cell> {
+        let x = self.x;
+        let over = self.experiment.sweep.over;
+        let closed = |scene: Scene, jitter: f64, start: Start| {
+            Cell::evenly(scene, 1.0, jitter, start, Ends::Unmarked)
+        };
+        Ok(match &self.input {
+            Input::Curves {
+                epsilon,
+                thinning,
+                ends,
+                ..
+            } => {
+                let curve = self.curve.as_deref().unwrap_or_default();
+                let scene = fixtures
+                    .get(curve)
+                    .with_context(|| format!("no curve {curve:?}"))?;
+                let bound = match (over, epsilon) {
+                    (Over::Rho, _) => Bound::Rho(x),
+                    (_, Some(epsilon)) => Bound::Epsilon(*epsilon),
+                    (_, None) => Bound::Epsilon(x),
+                };
+                let steps = |part: &Part| Steps::Jumps {
+                    jumps: Jumps::new(part, bound),
+                    thinning: *thinning,
+                };
+                Cell {
+                    steps: scene.parts.iter().map(steps).collect(),
+                    scene: Arc::clone(scene),
+                    ends: *ends,
+                    noise: if over == Over::Noise { x } else { 0.0 },
+                    outliers: if over == Over::Outliers { x } else { 0.0 },
+                }
+            }
+            Input::Teardrop { tip, jitter, .. } => {
+                let start = match tip {
+                    Tip::Sampled => Start::Sampled,
+                    Tip::Skipped => Start::Skipped,
+                };
+                closed(Scene::teardrop(x), *jitter, start)
+            }
+            Input::Racetracks { jitter, .. } => {
+                closed(Scene::racetracks(x), *jitter, Start::Random)
+            }
+            Input::Circles { jitter, .. } => closed(Scene::circles(x), *jitter, Start::Random),
+            Input::Sine { jitter, ends, .. } => {
+                Cell::evenly(Scene::sine(), x, *jitter, Start::Random, *ends)
+            }
+            Input::Spiral { jitter, ends, .. } => {
+                Cell::evenly(Scene::spiral(), x, *jitter, Start::Random, *ends)
+            }
+            Input::Arcs { jitter, ends, .. } => {
+                Cell::evenly(Scene::arcs(), x, *jitter, Start::Random, *ends)
+            }
+            Input::Planted { .. } => anyhow::bail!("planted points are for run times only"),
+        })
+    }
+}
+
+impl Cell {
+    fn evenly(scene: Scene, spacing: f64, jitter: f64, start: Start, ends: Ends) -> Self {
+        let steps = || Steps::Lengths {
+            spacing,
+            jitter,
+            start,
+        };
+        Self {
+            steps: scene.parts.iter().map(|_| steps()).collect(),
+            scene: Arc::new(scene),
+            ends,
+            noise: 0.0,
+            outliers: 0.0,
+        }
+    }
+
+    /// Draws the points of a trial.
+    pub(super) fn draw(&self, seed: u64) -> anyhow::Result<Sampled> {
+        let mut random = Random::new(seed);
+        let mut points = Vec::new();
+        let mut edges = Vec::new();
+        let mut termini = Vec::new();
+        for (part, steps) in self.scene.parts.iter().zip(&self.steps) {
+            let samples = match steps {
+                Steps::Jumps { jumps, thinning } => jumps.sample(*thinning, &mut random),
+                Steps::Lengths {
+                    spacing,
+                    jitter,
+                    start,
+                } => along(part, *spacing, *jitter, *start, &mut random),
+            };
+            let first = points.len();
+            points.extend(samples);
+            let ids: Vec<PointId> = (first..points.len()).filter_map(PointId::new).collect();
+            let next = ids.iter().cycle().skip(1);
+            let count = ids.len() - usize::from(!part.closed);
+            edges.extend(
+                ids.iter()
+                    .zip(next)
+                    .take(count)
+                    .filter_map(|(&p, &q)| Edge::new(p, q)),
+            );
+            if !part.closed && self.ends == Ends::Marked {
+                termini.extend(ids.first());
+                termini.extend(ids.last());
+            }
+        }
+        let boundary = EdgeSet::new(points.len(), edges);
+        if self.noise > 0.0 {
+            points = self.displaced(&points, &boundary, &mut random);
+        }
+        if self.outliers > 0.0 {
+            let count = rounded(points.len() as f64 * self.outliers);
+            points = with_outliers(&points, count, MARGIN, !seed)?;
+        }
+        Ok(Sampled {
+            boundary: EdgeSet::new(points.len(), boundary.edges().iter().copied()),
+            points: PointSet::new(points)?,
+            termini,
+        })
+    }
+
+    /// Normal noise, whose deviation is a share of the mean length of the edges at a sample.
+    fn displaced(&self, points: &[DVec2], boundary: &EdgeSet, random: &mut Random) -> Vec<DVec2> {
+        let mut around = vec![(0.0, 0.0); points.len()];
+        for edge in boundary.edges() {
+            let [a, b] = edge.ends().map(PointId::index);
+            for i in [a, b] {
+                around[i].0 += points[a].distance(points[b]);
+                around[i].1 += 1.0;
+            }
+        }
+        let moved = |(&p, (sum, count)): (&DVec2, (f64, f64))| {
+            p + self.noise * sum / f64::max(count, 1.0)
+                * DVec2::new(random.normal(), random.normal())
+        };
+        points.iter().zip(around).map(moved).collect()
+    }
+}
+
+/// Samples at nearly equal lengths along a part, each moved by up to half of `jitter` of the spacing.
+fn along(part: &Part, spacing: f64, jitter: f64, start: Start, random: &mut Random) -> Vec<DVec2> {
+    let mut corners = part.points.clone();
+    if part.closed {
+        corners.extend(part.points.first());
+    }
+    let mut lengths = vec![0.0];
+    for pair in corners.windows(2) {
+        lengths.push(lengths[lengths.len() - 1] + pair[0].distance(pair[1]));
+    }
+    let total = lengths[lengths.len() - 1];
+    let at = |length: f64| {
+        let after = lengths
+            .partition_point(|l| *l < length)
+            .clamp(1, corners.len() - 1);
+        let (from, to) = (lengths[after - 1], lengths[after]);
+        corners[after - 1].lerp(corners[after], (length - from) / (to - from))
+    };
+    let count = rounded(total / spacing).max(if part.closed { 3 } else { 1 });
+    let step = total / count as f64;
+    let mut jittered = |i: usize| (i as f64 + random.between(-0.5, 0.5) * jitter) * step;
+    if !part.closed {
+        let inner: Vec<f64> = (1..count).map(jittered).collect();
+        return [0.0]
+            .into_iter()
+            .chain(inner)
+            .chain([total])
+            .map(at)
+            .collect();
+    }
+    match start {
+        Start::Sampled => {
+            let others: Vec<f64> = (1..count).map(jittered).collect();
+            [0.0].into_iter().chain(others).map(at).collect()
+        }
+        Start::Skipped => (0..count).map(|i| at(jittered(i) + 0.5 * step)).collect(),
+        Start::Random => {
+            let places: Vec<f64> = (0..count).map(jittered).collect();
+            let phase = random.unit() * total;
+            places
+                .iter()
+                .map(|place| at((place + phase).rem_euclid(total)))
+                .collect()
+        }
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a count of points"
+)]
+fn rounded(value: f64) -> usize {
+    value.round() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part() -> Part {
+        let square = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)];
+        Part {
+            points: square.map(|(x, y)| DVec2::new(x, y)).to_vec(),
+            closed: true,
+            lfs: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_tip_is_sampled_or_skipped() {
+        let mut random = Random::new(1);
+        let mut nearest = |start| {
+            let samples = along(&part(), 1.0, 0.3, start, &mut random);
+            assert_eq!(samples.len(), 40);
+            samples
+                .iter()
+                .map(|p| p.length())
+                .fold(f64::INFINITY, f64::min)
+        };
+        assert!(nearest(Start::Sampled) < 1e-12);
+        assert!(nearest(Start::Skipped) > 0.3);
+    }
+
+    #[test]
+    fn open_parts_have_both_ends() {
+        let open = Part {
+            closed: false,
+            ..part()
+        };
+        let samples = along(&open, 2.0, 0.5, Start::Random, &mut Random::new(2));
+        assert_eq!(samples.len(), 16);
+        assert_eq!(samples[0], open.points[0]);
+        assert!(samples[15].distance(open.points[3]) < 1e-12);
+        for pair in samples.windows(2) {
+            assert!(pair[0].distance(pair[1]) < 3.0 + 1e-9);
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Runs as a whole: the same bytes on any number of threads and after an interruption.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use super::*;
+use curvecrust::report::compare::rows::metrics;
+
+fn args(folder: &Path, experiments: &[&str], trials: u32) -> Args {
+    Args {
+        experiments: experiments.iter().map(|&name| name.to_owned()).collect(),
+        trials: Some(trials),
+        quick: true,
+        threads: Some(1),
+        output: Some(folder.to_path_buf()),
+        ..Args::default()
+    }
+}
+
+fn rows(folder: &Path) -> String {
+    fs::read_to_string(folder.join("rows.csv")).unwrap()
+}
+
+fn run_whole(args: &Args) -> String {
+    assert_eq!(
+        run_until(args, &AtomicBool::new(false)).unwrap(),
+        ExitCode::SUCCESS
+    );
+    rows(args.output.as_deref().unwrap())
+}
+
+#[test]
+fn threads_and_interruptions_change_nothing() {
+    let [one, two] = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let experiments = ["corners", "noise", "outliers"];
+    let alone = args(one.path(), &experiments, 2);
+    let whole = run_whole(&alone);
+    let parallel = Args {
+        threads: Some(3),
+        ..args(two.path(), &experiments, 2)
+    };
+    assert_eq!(run_whole(&parallel), whole);
+    assert!(!whole.contains("nan"));
+
+    // Cut in the middle of a line, as by a kill: resuming repeats the cell.
+    fs::write(two.path().join("rows.csv"), &whole[..whole.len() * 2 / 3]).unwrap();
+    let resumed = Args {
+        resume: true,
+        ..parallel
+    };
+    assert_eq!(run_whole(&resumed), whole);
+    let times = |folder: &Path| fs::read_to_string(folder.join("times.csv")).unwrap();
+    let without_seconds = |text: &str| -> Vec<String> {
+        let keep = |line: &str| line.rsplitn(3, ',').last().unwrap().to_owned();
+        text.lines().map(keep).collect()
+    };
+    assert_eq!(
+        without_seconds(&times(one.path())),
+        without_seconds(&times(two.path()))
+    );
+    // Tables and plots are functions of the rows.
+    for name in [
+        "tables.md",
+        "tables.json",
+        "index.html",
+        "plots/overview.svg",
+        "cells.csv",
+    ] {
+        let read = |folder: &Path| fs::read(folder.join(name)).unwrap();
+        assert!(read(one.path()) == read(two.path()), "{name}");
+    }
+
+    let other = Args {
+        seed: Some(1),
+        ..resumed
+    };
+    let error = run_until(&other, &AtomicBool::new(false))
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("of another run"), "{error}");
+}
+
+#[test]
+fn a_stopped_run_keeps_whole_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    let stopped = args(folder.path(), &["corners"], 2);
+    let status = run_until(&stopped, &AtomicBool::new(true)).unwrap();
+    assert_eq!(status, ExitCode::from(INTERRUPTED));
+    assert_eq!(rows(folder.path()), Row::header());
+    let resumed = Args {
+        resume: true,
+        ..stopped
+    };
+    let resumed = run_whole(&resumed);
+    let again = tempfile::tempdir().unwrap();
+    assert_eq!(run_whole(&args(again.path(), &["corners"], 2)), resumed);
+}
+
+#[test]
+fn cells_survive_their_csv() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = Row::read(&run_whole(&args(folder.path(), &["open"], 2))).unwrap();
+    assert!(
+        rows.iter()
+            .all(|row| row.error.is_none() && row.values.len() == metrics().count())
+    );
+    let cells = Cells::of_rows(&rows);
+    let read = Cells::read(&cells.to_csv()).unwrap();
+    assert_eq!(read.to_csv(), cells.to_csv());
+}
+
+#[test]
+fn a_known_answer_that_differs_is_named() {
+    let mut experiments = chosen(&Args::default()).unwrap();
+    let rho = experiments
+        .iter()
+        .position(|e| e.name == "density-rho")
+        .unwrap();
+    let experiment = experiments.swap_remove(rho);
+    let known = &experiment.known[0];
+    let row = |x, exact| Row {
+        experiment: experiment.name.clone(),
+        series: "fixtures/teaser".to_owned(),
+        x,
+        trial: 7,
+        seed: 8,
+        algorithm: known.algorithm.clone(),
+        points: 1,
+        values: vec![Some(curvecrust::evaluate::Bounds::exactly(exact))],
+        error: None,
+        version: String::new(),
+    };
+    let rows = [row(0.5, 1.0), row(0.9, 1.0), row(0.9, 0.0), row(1.5, 0.0)];
+    let found = known::differing(std::slice::from_ref(&experiment), &rows);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].contains("1 of 2 trials of fixtures/teaser at 0.9 (first: trial 7, seed 8)"));
+}
