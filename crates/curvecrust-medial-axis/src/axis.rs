@@ -113,6 +113,18 @@ impl MedialAxis {
         })
     }
 
+    /// Adds points that are known to belong to the axis, each with the dense point it is nearest to.
+    pub(crate) fn extend(&mut self, points: impl IntoIterator<Item = (usize, DVec2)>) {
+        let to_unit = self.to_unit;
+        self.edges.extend(points.into_iter().map(|(site, point)| {
+            let point = to_unit.apply(point);
+            AxisEdge {
+                segment: Segment::new(point, point),
+                sites: [site, site],
+            }
+        }));
+    }
+
     /// The transform to the unit box, and the pieces there.
     pub(crate) fn in_unit_box(&self) -> (Similarity, &[AxisEdge]) {
         (self.to_unit, &self.edges)

@@ -1,9 +1,10 @@
 //! How a curve is made into dense points, and all that is measured on them.
 
-use curvecrust_curve::{Curve, CurveParam, DenseCurve};
+use curvecrust_curve::{Curve, DenseCurve};
 
 use crate::axis::MedialAxis;
 use crate::crossing::{self, chord};
+use crate::curvature;
 use crate::error::MedialAxisError;
 use crate::lfs::LocalFeatureSize;
 use crate::shrinking_ball;
@@ -124,7 +125,12 @@ fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
         return Err(MedialAxisError::GapToLfs(ratio));
     }
     let axis_ratio = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
-    let (axis, mut dense, mut lfs) = refine_axis(curve, axis_ratio)?;
+    let (mut axis, mut dense, mut lfs) = refine_axis(curve, axis_ratio)?;
+    let centres = curvature::centres_at_joins(curve, &dense, axis_ratio);
+    if !centres.is_empty() {
+        axis.extend(centres);
+        lfs = LocalFeatureSize::new(&dense, &axis);
+    }
     loop {
         let pieces = pieces(curve, &dense, &lfs, ratio);
         if pieces.iter().all(|&n| n == 1) {
@@ -178,7 +184,7 @@ fn pieces(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64)
     (0..dense.len())
         .map(|i| {
             let Some(next) = dense.next(i) else { return 1 };
-            let radius = radius_of_curvature(curve, dense.params()[i], dense.params()[next]);
+            let radius = curvature::least_radius(curve, dense.params()[i], dense.params()[next]);
             let allowed = ratio * lfs.at(i).min(lfs.at(next)).min(radius);
             let wanted = (chord(dense, i).length() / allowed)
                 .ceil()
@@ -192,20 +198,4 @@ fn pieces(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64)
             wanted.max(1)
         })
         .collect()
-}
-
-/// The smaller radius of curvature at the two ends of a gap, seen from within its segment: an upper
-/// bound of lfs there, which a coarse medial axis may not show yet. Infinite where the curve does
-/// not bend or its parameter stands still.
-fn radius_of_curvature(curve: &Curve, from: CurveParam, to: CurveParam) -> f64 {
-    let component = &curve.components()[from.component as usize];
-    let bezier = &component.segments()[from.segment as usize];
-    let within = to.segment == from.segment && to.t > from.t;
-    let end = if within { to.t } else { 1.0 };
-    let radius = |t: f64| {
-        let (first, second) = (bezier.derivative(t), bezier.second_derivative(t));
-        let radius = first.length().powi(3) / first.perp_dot(second).abs();
-        if radius > 0.0 { radius } else { f64::INFINITY }
-    };
-    radius(from.t).min(radius(end))
 }

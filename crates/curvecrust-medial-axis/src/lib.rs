@@ -24,6 +24,7 @@
 
 pub mod axis;
 mod crossing;
+mod curvature;
 pub mod discretise;
 pub mod error;
 pub mod lfs;
