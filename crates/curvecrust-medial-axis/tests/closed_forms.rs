@@ -114,26 +114,18 @@ fn scale_and_place_do_not_matter() {
 }
 
 #[test]
-fn a_jump_of_curvature_does_not_slow_convergence() {
+fn jumps_of_curvature_do_not_make_lfs_too_large() {
     use curvecrust_curve::Curve;
     use curvecrust_medial_axis::{Discretisation, measure};
-    // A quarter circle of radius 1 between straight lines: the axis ends at its centre, the centre
-    // of curvature on the tighter side of both joins.
-    let curve = Curve::from_path_data("M 0 20 V 1 A 1 1 0 0 1 1 0 H 20").unwrap();
-    for gap_to_lfs in [0.1, 0.05, 0.025] {
-        let adaptive = Discretisation::Adaptive { gap_to_lfs };
-        let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
-        for (&p, lfs) in measured
-            .dense()
-            .points()
-            .iter()
-            .zip(measured.lfs().values())
-        {
-            // The axis runs from the centre (1, 1) along the diagonal.
-            let along = (0.5 * (p.x + p.y)).max(1.0);
-            let truth = p.distance(DVec2::splat(along));
-            let error = (lfs / truth - 1.0).abs();
-            assert!(error < 5e-3 * gap_to_lfs, "{gap_to_lfs}: {p} {lfs} {truth}");
-        }
+    // Curvature jumps at the joins of its Béziers, where branches of the axis end.
+    let curve = Curve::from_svg(include_str!("../../../fixtures/curves/violin.svg")).unwrap();
+    let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.02 };
+    let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
+    let eight = vec![8; measured.dense().len()];
+    let fine = measured.dense().refined(&curve, &eight).unwrap();
+    let fine = Measured::new(fine, Estimator::Voronoi).unwrap();
+    // Every eighth of the finer points is one of the others.
+    for (i, lfs) in measured.lfs().values().iter().enumerate() {
+        assert!(lfs / fine.lfs().at(8 * i) < 1.005, "{i}");
     }
 }
