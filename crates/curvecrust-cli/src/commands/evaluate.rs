@@ -109,10 +109,15 @@ fn write(out: &mut dyn Write, object: &Object) -> io::Result<()> {
         points, true_edges, ..
     } = object;
     writeln!(out, "{points} points, {true_edges} true edges")?;
+    writeln!(
+        out,
+        "{:18} {:>8} {:>8} {:>8} {:>14} {:>14}",
+        "algorithm", "correct", "missing", "wrong", "curve to edges", "edges to curve"
+    )?;
     for result in &object.results {
         writeln!(
             out,
-            "{:20} {:>6} correct {:>6} missing {:>6} wrong   curve within {:.6} of the edges, edges within {:.6} of the curve",
+            "{:18} {:>8} {:>8} {:>8} {:>14.4} {:>14.4}",
             result.algorithm,
             result.correct,
             result.missing.len(),

@@ -83,7 +83,7 @@ fn algorithms_are_evaluated_against_the_curve() {
     let line = format!("evaluate {curve} s.csv --algorithm hnn-crust --algorithm gabriel");
     let run = folder.run(&line);
     assert_eq!(run.status, Some(1), "{}", run.stdout);
-    assert_eq!(run.stdout.lines().count(), 3);
+    assert_eq!(run.stdout.lines().count(), 4);
 }
 
 #[test]

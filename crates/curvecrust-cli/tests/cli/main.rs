@@ -1,10 +1,16 @@
 //! The program as people run it: the built binary, on files.
-#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stderr,
+    reason = "a test, its helpers included"
+)]
 
 mod bad_input;
 mod curves;
+mod docs;
 mod formats;
 mod harness;
+mod python;
 mod reconstruct;
 mod sample;
 mod whole_files;

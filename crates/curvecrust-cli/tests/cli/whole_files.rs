@@ -90,6 +90,35 @@ fn a_full_disk_is_an_error() {
     );
 }
 
+/// A file system of 64 kB, in a name space of its own, where that is allowed.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fills_up_keeps_no_half_file() {
+    use std::process::Command;
+    let folder = Folder::new();
+    let many: String = (0..10_000).map(|i| format!("{i} 0\n")).collect();
+    folder.write("many.xy", many);
+    std::fs::create_dir(folder.path().join("disk")).unwrap();
+    let in_disk = |script: &str| {
+        let script = format!("mount -t tmpfs -o size=64k none disk && {script}");
+        let mut command = Command::new("unshare");
+        command.args(["--user", "--map-root-user", "--mount", "sh", "-c", &script]);
+        command.current_dir(folder.path()).output()
+    };
+    if !in_disk("true").is_ok_and(|run| run.status.success()) {
+        eprintln!("skipped: no file system can be mounted here");
+        return;
+    }
+    let program = env!("CARGO_BIN_EXE_curvecrust");
+    let line = format!("{{ '{program}' reconstruct many.xy -o disk/out.csv; ls -A disk; }}");
+    let run: Run = in_disk(&line).unwrap().into();
+    assert_eq!(run.stdout, "");
+    assert_eq!(
+        run.stderr,
+        "error: cannot write disk/out.csv: No space left on device (os error 28)\n"
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn who_stops_reading_hears_no_complaint() {

@@ -1,0 +1,102 @@
+//! Results read by the readers that people have: numpy, shapely and ezdxf, where they are installed.
+
+use crate::harness::{Folder, json};
+use std::process::Command;
+
+/// Runs a program after it has imported a module; `None`, and a line that says so, without the module.
+fn python(folder: &Folder, module: &str, program: &str) -> Option<String> {
+    let run = |program: &str| {
+        let mut command = Command::new("python3");
+        command
+            .current_dir(folder.path())
+            .args(["-c", program])
+            .output()
+    };
+    if !run(&format!("import {module}")).is_ok_and(|found| found.status.success()) {
+        eprintln!("skipped: there is no python3 with {module}");
+        return None;
+    }
+    let output = run(program).unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+    Some(String::from_utf8(output.stdout).unwrap())
+}
+
+/// Two rings, one in the other, an open chain and a point alone.
+fn varied() -> Folder {
+    let square = |r: i32, step: usize| -> String {
+        let side = (-r..r).step_by(step);
+        side.map(|i| format!("{i} {}\n{r} {i}\n{} {r}\n{} {}\n", -r, -i, -r, -i))
+            .collect()
+    };
+    let points = square(10, 4) + &square(3, 3) + "0.1 40.5\n1 40.5\n2 40.5\n90 90\n";
+    Folder::with("p.xy", points)
+}
+
+#[test]
+fn numpy_reads_edges_and_its_points_are_read() {
+    let folder = varied();
+    let object = json(&folder.run("reconstruct p.xy --json -o edges.npy").fine());
+    let program = "import json, numpy as np\n\
+                   a = np.load('edges.npy')\n\
+                   assert a.dtype == np.uint32, a.dtype\n\
+                   p = np.loadtxt('p.xy')\n\
+                   np.save('p.npy', p)\n\
+                   np.save('columns.npy', np.asfortranarray(p))\n\
+                   np.save('single.npy', p.astype('>f4'))\n\
+                   np.save('whole.npy', p.astype(int))\n\
+                   print(json.dumps(a.tolist()))";
+    let Some(printed) = python(&folder, "numpy", program) else {
+        return;
+    };
+    assert_eq!(json(&printed), object["edges"]);
+    for name in ["p.npy", "columns.npy"] {
+        let read = json(&folder.run(&format!("reconstruct {name} --json")).fine());
+        assert_eq!(read["points"], object["points"], "{name}");
+    }
+    folder.run("reconstruct single.npy").fine();
+    assert!(
+        folder
+            .run("reconstruct whole.npy")
+            .error()
+            .contains("`<i8`")
+    );
+}
+
+#[test]
+fn shapely_finds_geojson_and_wkt_valid() {
+    let folder = varied();
+    folder.run("reconstruct p.xy -o out.geojson").fine();
+    folder.run("reconstruct p.xy -o out.wkt").fine();
+    let program = "import json, shapely\n\
+                   from shapely.geometry import shape\n\
+                   features = json.load(open('out.geojson'))['features']\n\
+                   parts = [shape(f['geometry']) for f in features]\n\
+                   whole = shapely.from_wkt(open('out.wkt').read())\n\
+                   assert whole.is_valid\n\
+                   assert list(whole.geoms) == parts, (whole, parts)\n\
+                   assert parts[0].exterior.is_ccw and not parts[0].interiors[0].is_ccw\n\
+                   print([p.geom_type for p in parts], parts[0].area, parts[1].length)";
+    if let Some(printed) = python(&folder, "shapely", program) {
+        assert_eq!(
+            printed,
+            "['Polygon', 'LineString', 'MultiPoint'] 364.0 1.9\n"
+        );
+    }
+}
+
+#[test]
+fn ezdxf_finds_every_polyline_and_nothing_to_mend() {
+    let folder = varied();
+    folder.run("reconstruct p.xy -o out.dxf").fine();
+    let program = "import ezdxf\n\
+                   from ezdxf import recover\n\
+                   doc, audit = recover.readfile('out.dxf')\n\
+                   assert not audit.has_errors, audit.errors\n\
+                   found = doc.modelspace().query('POLYLINE')\n\
+                   print([(p.dxf.layer, p.is_closed, len(p)) for p in found], len(doc.modelspace().query('POINT')))";
+    if let Some(printed) = python(&folder, "ezdxf", program) {
+        let expected = "[('rings', True, 20), ('rings', True, 8), ('chains', False, 3)] 1\n";
+        assert_eq!(printed, expected);
+    }
+}
