@@ -8,7 +8,9 @@ mod cell;
 mod experiment;
 mod jumps;
 mod known;
+mod manifest;
 mod progress;
+pub(crate) mod published;
 mod random;
 mod run;
 mod scale;
@@ -24,7 +26,8 @@ use anyhow::{Context, ensure};
 use cell::{Fixtures, Job};
 use curvecrust::reconstruct::ALGORITHMS;
 use curvecrust::report::compare::{Cells, Row, Timing, tables};
-use experiment::{Experiment, Input, Over};
+use experiment::{Choice, Experiment, Input, Kind, Over};
+use manifest::{CurveEntry, Manifest};
 use rayon::prelude::*;
 use run::Plan;
 use scene::Scene;
@@ -63,6 +66,9 @@ pub(crate) struct Args {
     /// Where to write, instead of target/compare
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Put the results into docs/results/compare too, to be committed
+    #[arg(long, conflicts_with = "quick")]
+    publish: bool,
     /// Measure an algorithm on a number of points with a seed, alone in this process
     #[arg(long, hide = true, value_name = "NAME,N,SEED")]
     measure: Option<String>,
@@ -113,9 +119,13 @@ fn run_until(args: &Args, stop: &AtomicBool) -> anyhow::Result<ExitCode> {
     let times = Timing::read(&text_of(&folder.join("times.csv"))?)?;
     let cells = Cells::of_rows(&rows);
     write_whole(&folder.join("cells.csv"), cells.to_csv())?;
-    let facts = facts(args);
-    let texts = write::texts(&experiments, &cells, &times, &facts)?;
+    let names = experiments.iter().map(|e| e.name.clone()).collect();
+    let run = published::Run::here(names, threads, start.elapsed().as_secs_f64());
+    let texts = write::texts(&experiments, &cells, &times, &[run.facts()])?;
     write::write(&folder, &texts)?;
+    if args.publish {
+        published::publish(run, &cells, &times)?;
+    }
     let described: Vec<_> = experiments.iter().map(Experiment::described).collect();
     let names: Vec<&str> = ALGORITHMS.iter().map(|a| a.info().name).collect();
     print!("{}", tables::overview_of(described, &cells, &names));
@@ -162,7 +172,7 @@ fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
     for name in &args.algorithms {
         experiment::algorithm(name)?;
     }
-    let all_curves = curves()?;
+    let manifest = manifest::read()?;
     let mut jobs = Vec::new();
     for experiment in experiments {
         let experiment = Arc::new(experiment.clone());
@@ -178,13 +188,14 @@ fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
         };
         for input in &experiment.input {
             let curves: Vec<Option<String>> = match input {
-                Input::Curves { quick, .. } if args.quick => {
-                    quick.iter().cloned().map(Some).collect()
+                Input::Curves { curves, quick, .. } => {
+                    let chosen = if args.quick {
+                        quick.clone()
+                    } else {
+                        named(&manifest, curves)
+                    };
+                    chosen.into_iter().map(Some).collect()
                 }
-                Input::Curves { curves, .. } if curves.is_empty() => {
-                    all_curves.iter().cloned().map(Some).collect()
-                }
-                Input::Curves { curves, .. } => curves.iter().cloned().map(Some).collect(),
                 _ => vec![None],
             };
             for (curve, &x) in curves
@@ -208,25 +219,17 @@ fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
     })
 }
 
-/// The names of the curves of the fixtures, sorted.
-fn curves() -> anyhow::Result<Vec<String>> {
-    let folder = root().join("fixtures/curves");
-    let mut names = Vec::new();
-    let entries =
-        fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    for entry in entries {
-        let path = entry?.path();
-        if path.extension().is_some_and(|e| e == "svg") {
-            names.push(
-                path.file_stem()
-                    .unwrap_or_default()
-                    .to_string_lossy()
-                    .into_owned(),
-            );
-        }
-    }
+/// The names of the curves that an input wants, sorted if it names a kind.
+fn named(manifest: &Manifest, curves: &Choice) -> Vec<String> {
+    let kind = match curves {
+        Choice::Names(names) => return names.clone(),
+        Choice::Kind(kind) => *kind,
+    };
+    let is_meant = |entry: &&CurveEntry| entry.closed == (kind == Kind::Closed);
+    let found = manifest.curve.iter().filter(is_meant);
+    let mut names: Vec<String> = found.map(|entry| entry.name.clone()).collect();
     names.sort();
-    Ok(names)
+    names
 }
 
 /// The curves that jobs need, each measured once.
@@ -238,18 +241,4 @@ fn measured(jobs: &[Job]) -> anyhow::Result<Fixtures> {
         Ok((name.clone(), Arc::new(scene)))
     });
     scenes.collect()
-}
-
-/// What a page says of its run.
-fn facts(args: &Args) -> Vec<(String, String)> {
-    let seed = args
-        .seed
-        .map_or("those of the experiments".to_owned(), |s| s.to_string());
-    [
-        ("version", env!("CARGO_PKG_VERSION").to_owned()),
-        ("seed", seed),
-        ("run", if args.quick { "quick" } else { "whole" }.to_owned()),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .to_vec()
 }

@@ -1,5 +1,6 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
+use crate::compare::published;
 use crate::reproduce_paper::figures::{self, PointSets};
 use crate::reproduce_paper::models;
 use crate::root::root;
@@ -17,8 +18,9 @@ pub(crate) struct Args {
 /// Writes or checks every generated file.
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut stale = false;
-    for (name, text) in images()? {
-        let path = root().join(name);
+    let images = images()?.map(|(name, text)| (name.to_owned(), text));
+    for (name, text) in images.into_iter().chain(published::made()?) {
+        let path = root().join(&name);
         if !args.check {
             write_whole(&path, &text)?;
             println!("wrote {name}");

@@ -74,9 +74,7 @@ pub(super) enum Input {
     /// `thinning` and 1, of the longest that the condition allows; the start is random.
     Curves {
         group: String,
-        /// All, if empty.
-        #[serde(default)]
-        curves: Vec<String>,
+        curves: Choice,
         /// Those of a quick run.
         quick: Vec<String>,
         /// The bound of the epsilon condition where it is not swept.
@@ -114,6 +112,24 @@ pub(super) enum Input {
     },
     /// Wavy closed curves that do not touch, at an even spacing of a 50th of their distance.
     Planted { group: String },
+}
+
+/// Which curves of the fixtures.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Choice {
+    /// All of a kind.
+    Kind(Kind),
+    /// By name.
+    Names(Vec<String>),
+}
+
+/// Kinds of curves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Kind {
+    Closed,
+    Open,
 }
 
 /// Whether algorithms that can use them are told the ends of open curves.

@@ -56,11 +56,10 @@ fn threads_and_interruptions_change_nothing() {
         without_seconds(&times(one.path())),
         without_seconds(&times(two.path()))
     );
-    // Tables and plots are functions of the rows.
+    // Tables and plots are functions of the rows; the page names the run.
     for name in [
         "tables.md",
         "tables.json",
-        "index.html",
         "plots/overview.svg",
         "cells.csv",
     ] {
@@ -118,7 +117,7 @@ fn a_known_answer_that_differs_is_named() {
     let known = &experiment.known[0];
     let row = |x, exact| Row {
         experiment: experiment.name.clone(),
-        series: "fixtures/teaser".to_owned(),
+        series: "closed curves/teaser".to_owned(),
         x,
         trial: 7,
         seed: 8,
@@ -131,5 +130,7 @@ fn a_known_answer_that_differs_is_named() {
     let rows = [row(0.5, 1.0), row(0.9, 1.0), row(0.9, 0.0), row(1.5, 0.0)];
     let found = known::differing(std::slice::from_ref(&experiment), &rows);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].contains("1 of 2 trials of fixtures/teaser at 0.9 (first: trial 7, seed 8)"));
+    assert!(
+        found[0].contains("1 of 2 trials of closed curves/teaser at 0.9 (first: trial 7, seed 8)")
+    );
 }

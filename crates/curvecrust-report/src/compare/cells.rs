@@ -115,6 +115,16 @@ impl Cells {
         &self.cells
     }
 
+    /// Leaves out some.
+    pub fn retain(&mut self, keep: impl FnMut(&Cell) -> bool) {
+        self.cells.retain(keep);
+    }
+
+    /// Takes others in, after its own.
+    pub fn extend(&mut self, others: &Self) {
+        self.cells.extend_from_slice(&others.cells);
+    }
+
     /// The cells as CSV: for each metric its mean and, as `name.sd`, its standard deviation.
     #[must_use]
     pub fn to_csv(&self) -> String {

@@ -102,13 +102,14 @@ impl HeatMap {
     }
 }
 
-/// A share in per cent; 100 % is said of nothing less.
+/// A share in per cent; neither 100 % nor 0 % is said of anything else.
 pub(crate) fn percent(share: Option<f64>) -> String {
     match share {
         None => "–".to_owned(),
         Some(share) if share >= 1.0 => "100 %".to_owned(),
-        Some(share) if share > 0.995 => "99.9 %".to_owned(),
-        Some(share) if share > 0.0 && share < 0.005 => "0.1 %".to_owned(),
+        Some(share) if share > 0.0 && !(0.005..0.995).contains(&share) => {
+            format!("{:.1} %", (100.0 * share).clamp(0.1, 99.9))
+        }
         Some(share) => format!("{:.0} %", 100.0 * share),
     }
 }

@@ -304,12 +304,26 @@ impl Answers {
         (logs.len() > 2).then(|| along / square)
     }
 
-    /// The largest value of the sweep up to which every trial was a full success.
+    /// The values of the sweep, from its easy end on, for which every trial was a full success.
     #[must_use]
-    pub fn faultless_up_to(&self) -> Option<f64> {
-        let faultless = self.answers.iter().take_while(|a| a.mean >= 1.0);
-        faultless.last().map(|a| a.x)
+    pub fn faultless(&self) -> Option<Faultless> {
+        let faultless = |a: &&Answer| a.mean >= 1.0;
+        let up_to = self.answers.iter().take_while(faultless).last();
+        let from = || self.answers.iter().rev().take_while(faultless).last();
+        match up_to {
+            Some(last) => Some(Faultless::UpTo(last.x)),
+            None => from().map(|first| Faultless::From(first.x)),
+        }
     }
+}
+
+/// For which values of a sweep an algorithm never failed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Faultless {
+    /// All that were tried up to this one.
+    UpTo(f64),
+    /// All that were tried from this one on.
+    From(f64),
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::compare::cells::Cells;
 use crate::compare::heat_map::{HeatMap, percent};
 use crate::compare::rows::six_digits;
-use crate::compare::sheet::{Answers, Experiment, Panel, Sheet};
+use crate::compare::sheet::{Answers, Experiment, Faultless, Panel, Sheet};
 use crate::render::{RenderError, grid};
 
 /// All tables: the overview, then every panel of every experiment.
@@ -89,19 +89,28 @@ pub(crate) fn panel_cells(panel: &Panel, sweep: &str) -> (Vec<String>, Vec<Vec<S
             [six_digits(x)].into_iter().chain(cells).collect()
         })
         .collect();
-    let closing = |name: &str, of: &dyn Fn(&Answers) -> Option<f64>| {
+    let closing = |name: &str, of: &dyn Fn(&Answers) -> Option<String>| {
         let cells = panel
             .lines
             .iter()
-            .map(|line| of(line).map_or("–".to_owned(), three_digits));
+            .map(|line| of(line).unwrap_or("–".to_owned()));
         [name.to_owned()]
             .into_iter()
             .chain(cells)
             .collect::<Vec<String>>()
     };
     match panel.metric.as_str() {
-        "exact" => lines.push(closing("always, up to", &Answers::faultless_up_to)),
-        "run_time" | "memory" => lines.push(closing("exponent of n", &Answers::slope)),
+        "exact" => lines.push(closing("always", &|line| {
+            Some(match line.faultless()? {
+                Faultless::UpTo(x) => format!("≤ {}", six_digits(x)),
+                Faultless::From(x) => format!("≥ {}", six_digits(x)),
+            })
+        })),
+        "run_time" | "memory" => {
+            lines.push(closing("exponent of n", &|line| {
+                Some(three_digits(line.slope()?))
+            }));
+        }
         _ => {}
     }
     (header, lines)
