@@ -99,6 +99,8 @@ pub(crate) enum Problem {
     NotSvg,
     #[error("{0}")]
     Xml(String),
+    #[error("the elements are more than {0} levels deep: simplify the document")]
+    Deep(usize),
     #[error("there are no circles and no paths")]
     NoShapes,
     #[error("`{0}` elements are not followed: put the shapes themselves in the drawing")]

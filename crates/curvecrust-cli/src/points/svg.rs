@@ -13,6 +13,9 @@ const NOT_DRAWN: &[&str] = &[
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "title", "desc",
 ];
 
+/// Levels of elements inside the root.
+const DEEPEST: usize = 128;
+
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotSvg)?;
     let options = ParsingOptions {
@@ -29,7 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
     }
     let mut drawing = Drawing::default();
     for child in root.children() {
-        drawing.collect(child, Transform::default())?;
+        drawing.collect(child, Transform::default(), DEEPEST)?;
     }
     if drawing.centres.is_empty() && drawing.vertices.is_empty() {
         return Err(Problem::NoShapes.into());
@@ -48,7 +51,8 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn collect(&mut self, node: Node<'_, '_>, outer: Transform) -> Result<(), Flaw> {
+    /// Takes what an element draws that holds at most `levels` of others in each other.
+    fn collect(&mut self, node: Node<'_, '_>, outer: Transform, levels: usize) -> Result<(), Flaw> {
         let name = node.tag_name().name();
         if !node.is_element() || NOT_DRAWN.contains(&name) || is_hidden(node) {
             return Ok(());
@@ -84,9 +88,10 @@ impl Drawing {
             "use" | "svg" => {
                 return Err(Problem::Element(name.to_owned()).at(place_of(node)));
             }
+            _ if levels == 0 => return Err(Problem::Deep(DEEPEST).at(place_of(node))),
             _ => {
                 for child in node.children() {
-                    self.collect(child, to_root)?;
+                    self.collect(child, to_root, levels - 1)?;
                 }
             }
         }

@@ -264,6 +264,23 @@ fn drawings_that_hold_no_points() {
 }
 
 #[test]
+fn deep_documents_do_not_overflow() {
+    let n = 100_000;
+    let inside = "<g>".repeat(n) + "<circle r='1'/>" + &"</g>".repeat(n);
+    let svg = format!("<svg xmlns='http://www.w3.org/2000/svg'>{inside}</svg>");
+    let found = error("p.svg", svg);
+    assert!(
+        found.ends_with("more than 128 levels deep: simplify the document"),
+        "{found}"
+    );
+    let found = error("p.json", "[".repeat(n));
+    assert!(found.starts_with("p.json, line 1, column "), "{found}");
+    let nested = format!(r#"{{"type": "Point", "coordinates": {}"#, "[".repeat(n));
+    let found = error("p.geojson", nested);
+    assert!(found.ends_with("recursion limit exceeded"), "{found}");
+}
+
+#[test]
 fn formats_that_hold_no_points() {
     assert_eq!(
         error("p.dxf", "0\n"),
