@@ -133,7 +133,14 @@ impl Chart {
         self.draw_axes(&mut svg, &frame);
         let middle = (self.lines.len() as f64 - 1.0) / 2.0;
         for (i, line) in self.lines.iter().enumerate().rev() {
-            self.draw_line(&mut svg, &frame, line, (i as f64 - middle) * APART);
+            // On log axes equal values are rare, and a pixel is worth more.
+            let equal = self.y.scale == Scale::Linear;
+            let apart = if equal {
+                (i as f64 - middle) * APART
+            } else {
+                0.0
+            };
+            self.draw_line(&mut svg, &frame, line, apart);
         }
         match width {
             Width::Wide => self.name_ends(&mut svg, &frame),
@@ -198,13 +205,23 @@ impl Chart {
         (px(x), px(y))
     }
 
-    fn draw_line(&self, svg: &mut String, frame: &Frame, line: &Line, down: f64) {
+    fn draw_line(&self, svg: &mut String, frame: &Frame, line: &Line, apart: f64) {
+        // Across the line where it is steep too: to the left of one that falls, to the right of one that
+        // rises.
+        let falls = match (line.marks.first(), line.marks.last()) {
+            (Some(first), Some(last)) => first.y > last.y,
+            _ => false,
+        };
+        let aside = if falls { -apart } else { apart };
+        let place = |x: f64, y: f64| {
+            let (x, y) = self.place(frame, x, y);
+            (px(x + aside), px(y + apart))
+        };
         let look = line.look % LINES;
         let path = |ends: &mut dyn Iterator<Item = (f64, f64)>| {
             let mut d = String::new();
             for (i, (x, y)) in ends.enumerate() {
-                let (x, y) = self.place(frame, x, y);
-                let y = px(y + down);
+                let (x, y) = place(x, y);
                 let _ = write!(d, "{}{x} {y}", if i == 0 { "M" } else { "L" });
             }
             d
@@ -218,8 +235,8 @@ impl Chart {
             "<path class=\"b{look}\" d=\"{band}Z\"/><path class=\"l{look}\" d=\"{middle}\"/>"
         );
         for mark in &line.marks {
-            let (x, y) = self.place(frame, mark.x, mark.y);
-            svg.push_str(&marker(look, x, px(y + down)));
+            let (x, y) = place(mark.x, mark.y);
+            svg.push_str(&marker(look, x, y));
         }
         svg.push('\n');
     }

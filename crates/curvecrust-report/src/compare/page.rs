@@ -52,7 +52,7 @@ pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -
          @media (prefers-color-scheme: dark) {{\n{}}}\n</style>\n</head>\n<body>\n\
          <h1>Which algorithm for my points, and where does each one break?</h1>\n\
          <p>Points are sampled from known curves and given to each algorithm as bare points. \
-         Bands are 95 % confidence intervals.</p>\n{links}{map}{sections}\
+         Bands are 95 % confidence intervals; of times and memory, from the least to the largest.</p>\n{links}{map}{sections}\
          <h2>Where these numbers come from</h2>\n{body}</body>\n</html>\n",
         light(),
         dark()

@@ -265,6 +265,7 @@ impl Panel {
                 _ => "share of edges",
             },
             "extents" => "extents of the curve",
+            "s" => "seconds",
             unit => unit,
         };
         Chart {
