@@ -116,12 +116,13 @@ impl MedialAxis {
     /// Adds points that are known to belong to the axis, each with the dense point it is nearest to.
     pub(crate) fn extend(&mut self, points: impl IntoIterator<Item = (usize, DVec2)>) {
         let to_unit = self.to_unit;
-        self.edges.extend(points.into_iter().map(|(site, point)| {
-            let point = to_unit.apply(point);
-            AxisEdge {
-                segment: Segment::new(point, point),
-                sites: [site, site],
-            }
+        let near = points
+            .into_iter()
+            .map(|(site, point)| (site, to_unit.apply(point)))
+            .filter(|(_, point)| point.distance(DVec2::splat(0.5)) < BEYOND);
+        self.edges.extend(near.map(|(site, point)| AxisEdge {
+            segment: Segment::new(point, point),
+            sites: [site, site],
         }));
     }
 

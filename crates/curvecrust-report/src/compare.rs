@@ -6,12 +6,14 @@
 //! | [`cells`] | [`Cells`]: means over trials |
 //! | [`sheet`] | [`Sheet`]: what an experiment asks, and its curves against what it sweeps |
 //! | [`tables`] | Markdown and JSON |
+//! | [`axis`] | [`Axis`](axis::Axis): range, scale and format of a chart's axis |
 //! | [`chart`] | [`Chart`](chart::Chart): lines with bands, as SVG |
 //! | [`heat_map`] | algorithms against experiments, as SVG |
 //! | [`page`] | all of it as one HTML file |
 //!
 //! Each step is a pure function of the one before it: the same rows give the same bytes.
 
+pub mod axis;
 pub mod cells;
 pub mod chart;
 pub mod heat_map;

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
+use crate::compare::axis::{Axis, Format, Scale};
 use crate::compare::cells::{Cell, Cells, Mean};
-use crate::compare::chart::{Axis, Chart, Format, Line, Mark, Scale};
+use crate::compare::chart::{Chart, Line, Mark};
 use crate::compare::rows::{Timing, metrics};
 
 /// What an experiment asks.
