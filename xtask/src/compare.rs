@@ -225,6 +225,13 @@ fn named(manifest: &Manifest, curves: &Choice) -> Vec<String> {
         Choice::Names(names) => return names.clone(),
         Choice::Kind(kind) => *kind,
     };
+    if kind == Kind::Authors {
+        let models = ["parallel", "teaser", "bunny", "cat"];
+        let fetched = models.iter().filter(|_| scene::authors_curves().is_dir());
+        return fetched
+            .map(|name| format!("{}{name}", scene::AUTHORS))
+            .collect();
+    }
     let is_meant = |entry: &&CurveEntry| entry.closed == (kind == Kind::Closed);
     let found = manifest.curve.iter().filter(is_meant);
     let mut names: Vec<String> = found.map(|entry| entry.name.clone()).collect();

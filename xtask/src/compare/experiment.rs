@@ -70,7 +70,7 @@ pub(super) enum Over {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub(super) enum Input {
-    /// Curves of `fixtures/curves`, under a sampling condition: each step is a random share, between
+    /// Curves of `fixtures/curves` or `fixtures/paper`, under a sampling condition: each step is a random share, between
     /// `thinning` and 1, of the longest that the condition allows; the start is random.
     Curves {
         group: String,
@@ -130,6 +130,8 @@ pub(super) enum Choice {
 pub(super) enum Kind {
     Closed,
     Open,
+    /// The four of the paper's authors, if they were fetched: `paper-cat` and so on. All are closed.
+    Authors,
 }
 
 /// Whether algorithms that can use them are told the ends of open curves.

@@ -9,6 +9,7 @@ use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
 use std::f64::consts::{PI, TAU};
 use std::fs;
+use std::path::PathBuf;
 
 /// Curves as dense points, one part after the other.
 pub(super) struct Scene {
@@ -24,18 +25,27 @@ pub(super) struct Part {
     pub(super) lfs: Vec<f64>,
 }
 
+/// What names of the curves of the paper's authors begin with.
+pub(super) const AUTHORS: &str = "paper-";
+
+/// Where their curves are, if they were fetched.
+pub(super) fn authors_curves() -> PathBuf {
+    root().join("fixtures/paper/curves")
+}
+
 /// The dense points are this fraction of the local feature size apart.
 const GAP_TO_LFS: f64 = 0.02;
 /// How far chords may be from the curve that they stand for, in extents.
 const FLATNESS: f64 = 2e-4;
 
 impl Scene {
-    /// A curve of the fixtures, with its local feature size.
+    /// A curve of the fixtures, with its local feature size; `paper-cat` is the cat of the paper's authors.
     pub(super) fn fixture(name: &str) -> anyhow::Result<Self> {
-        let path = root()
-            .join("fixtures/curves")
-            .join(name)
-            .with_extension("svg");
+        let path = match name.strip_prefix(AUTHORS) {
+            Some(name) => authors_curves().join(name),
+            None => root().join("fixtures/curves").join(name),
+        };
+        let path = path.with_extension("svg");
         let text =
             fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
         let curve = Curve::from_svg(&text).with_context(|| path.display().to_string())?;

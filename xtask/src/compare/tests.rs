@@ -134,3 +134,22 @@ fn a_known_answer_that_differs_is_named() {
         found[0].contains("1 of 2 trials of closed curves/teaser at 0.9 (first: trial 7, seed 8)")
     );
 }
+
+/// The authors' curves take part if they were fetched, and nothing is missed if not.
+#[test]
+fn the_authors_curves_take_part_when_they_are_there() {
+    let manifest = manifest::read().unwrap();
+    let names = named(&manifest, &Choice::Kind(Kind::Authors));
+    if !scene::authors_curves().is_dir() {
+        eprintln!("skipped in part: fixtures/paper was not fetched");
+        assert!(names.is_empty());
+        return;
+    }
+    assert_eq!(
+        names,
+        ["paper-parallel", "paper-teaser", "paper-bunny", "paper-cat"]
+    );
+    for name in names {
+        assert!(!Scene::fixture(&name).unwrap().parts.is_empty(), "{name}");
+    }
+}
