@@ -6,6 +6,7 @@
 
 mod cell;
 mod experiment;
+mod fourier;
 mod jumps;
 mod known;
 mod manifest;
@@ -30,7 +31,7 @@ use experiment::{Choice, Experiment, Input, Kind, Over};
 use manifest::{CurveEntry, Manifest};
 use rayon::prelude::*;
 use run::Plan;
-use scene::Scene;
+use scene::{Named, Scene};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -187,14 +188,10 @@ fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
             &experiment.sweep.values
         };
         for input in &experiment.input {
-            let curves: Vec<Option<String>> = match input {
+            let curves: Vec<Option<Named>> = match input {
                 Input::Curves { curves, quick, .. } => {
-                    let chosen = if args.quick {
-                        quick.clone()
-                    } else {
-                        named(&manifest, curves)
-                    };
-                    chosen.into_iter().map(Some).collect()
+                    let chosen = if args.quick { quick } else { curves };
+                    named(&manifest, chosen).into_iter().map(Some).collect()
                 }
                 _ => vec![None],
             };
@@ -219,32 +216,45 @@ fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
     })
 }
 
-/// The names of the curves that an input wants, sorted if it names a kind.
-fn named(manifest: &Manifest, curves: &Choice) -> Vec<String> {
+/// The curves that an input wants, sorted if it names a kind.
+fn named(manifest: &Manifest, curves: &Choice) -> Vec<Named> {
     let kind = match curves {
-        Choice::Names(names) => return names.clone(),
+        Choice::Names(names) => return names.iter().cloned().map(Named::Fixture).collect(),
+        Choice::Random(random) => {
+            let terms = random.terms;
+            let seeds = random.seed..random.seed.saturating_add(random.count);
+            return seeds.map(|seed| Named::Random { terms, seed }).collect();
+        }
         Choice::Kind(kind) => *kind,
+    };
+    let is_meant = |entry: &&CurveEntry| match kind {
+        Kind::Closed => entry.closed,
+        Kind::OneClosed => entry.closed && entry.components == 1,
+        Kind::SeveralClosed => entry.closed && entry.components > 1,
+        Kind::Open => !entry.closed,
+        Kind::Authors => false,
     };
     if kind == Kind::Authors {
         let models = ["parallel", "teaser", "bunny", "cat"];
         let fetched = models.iter().filter(|_| scene::authors_curves().is_dir());
         return fetched
-            .map(|name| format!("{}{name}", scene::AUTHORS))
+            .map(|&name| Named::Authors(name.to_owned()))
             .collect();
     }
-    let is_meant = |entry: &&CurveEntry| entry.closed == (kind == Kind::Closed);
     let found = manifest.curve.iter().filter(is_meant);
-    let mut names: Vec<String> = found.map(|entry| entry.name.clone()).collect();
+    let mut names: Vec<Named> = found
+        .map(|entry| Named::Fixture(entry.name.clone()))
+        .collect();
     names.sort();
     names
 }
 
 /// The curves that jobs need, each measured once.
 fn measured(jobs: &[Job]) -> anyhow::Result<Fixtures> {
-    let names: BTreeSet<&String> = jobs.iter().filter_map(|job| job.curve.as_ref()).collect();
-    let names: Vec<&String> = names.into_iter().collect();
+    let names: BTreeSet<&Named> = jobs.iter().filter_map(|job| job.curve.as_ref()).collect();
+    let names: Vec<&Named> = names.into_iter().collect();
     let scenes = names.into_par_iter().map(|name| {
-        let scene = Scene::fixture(name).with_context(|| format!("curve {name}"))?;
+        let scene = Scene::named(name).with_context(|| format!("curve {name}"))?;
         Ok((name.clone(), Arc::new(scene)))
     });
     scenes.collect()

@@ -3,7 +3,7 @@
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
 use super::random::Random;
-use super::scene::{Part, Scene};
+use super::scene::{Named, Part, Scene};
 use anyhow::Context;
 use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
@@ -11,8 +11,8 @@ use curvecrust::sampling::with_outliers;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The scenes of the curves of the fixtures, by name: they are measured once.
-pub(super) type Fixtures = BTreeMap<String, Arc<Scene>>;
+/// The scenes of named curves: they are measured once.
+pub(super) type Fixtures = BTreeMap<Named, Arc<Scene>>;
 
 /// What to run: an input of an experiment at a value of its sweep.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Job {
     pub(super) experiment: Arc<Experiment>,
     pub(super) input: Input,
     /// The curve, for inputs that have several.
-    pub(super) curve: Option<String>,
+    pub(super) curve: Option<Named>,
     pub(super) x: f64,
     pub(super) trials: u32,
 }
@@ -101,10 +101,8 @@ impl Job {
                 ends,
                 ..
             } => {
-                let curve = self.curve.as_deref().unwrap_or_default();
-                let scene = fixtures
-                    .get(curve)
-                    .with_context(|| format!("no curve {curve:?}"))?;
+                let scene = self.curve.as_ref().and_then(|name| fixtures.get(name));
+                let scene = scene.context("its curve was not measured")?;
                 let bound = match (over, epsilon) {
                     (Over::Rho, _) => Bound::Rho(x),
                     (_, Some(epsilon)) => Bound::Epsilon(*epsilon),

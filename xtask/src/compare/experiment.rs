@@ -70,13 +70,13 @@ pub(super) enum Over {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub(super) enum Input {
-    /// Curves of `fixtures/curves` or `fixtures/paper`, under a sampling condition: each step is a random share, between
-    /// `thinning` and 1, of the longest that the condition allows; the start is random.
+    /// Curves of `fixtures/curves` or `fixtures/paper`, or random ones, under a sampling condition: each step is a random share,
+    /// between `thinning` and 1, of the longest that the condition allows; the start is random.
     Curves {
         group: String,
         curves: Choice,
         /// Those of a quick run.
-        quick: Vec<String>,
+        quick: Choice,
         /// The bound of the epsilon condition where it is not swept.
         epsilon: Option<f64>,
         thinning: f64,
@@ -114,21 +114,38 @@ pub(super) enum Input {
     Planted { group: String },
 }
 
-/// Which curves of the fixtures.
+/// Which curves.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(untagged)]
 pub(super) enum Choice {
     /// All of a kind.
     Kind(Kind),
-    /// By name.
+    /// Of the fixtures, by name.
     Names(Vec<String>),
+    /// Random closed curves, which no fixture resembles by design.
+    Random(RandomCurves),
 }
 
-/// Kinds of curves.
+/// Random curves, by seeds that follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RandomCurves {
+    pub(super) count: u64,
+    /// How many frequencies each coordinate has.
+    pub(super) terms: u32,
+    /// That of the first curve; the second has the next, and so on.
+    pub(super) seed: u64,
+}
+
+/// Kinds of curves of the fixtures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Kind {
     Closed,
+    /// Closed ones of one component.
+    OneClosed,
+    /// Closed ones of several components.
+    SeveralClosed,
     Open,
     /// The four of the paper's authors, if they were fetched: `paper-cat` and so on. All are closed.
     Authors,
@@ -273,7 +290,9 @@ mod tests {
                 "noise",
                 "open",
                 "outliers",
-                "scale"
+                "scale",
+                "sparse-epsilon",
+                "sparse-rho"
             ]
         );
     }

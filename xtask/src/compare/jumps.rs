@@ -189,11 +189,11 @@ fn share(count: usize, share: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::scene::Scene;
+    use crate::compare::scene::{Named, Scene};
 
     #[test]
     fn the_longest_steps_hold_and_longer_ones_do_not() {
-        let scene = Scene::fixture("teaser").unwrap();
+        let scene = Scene::named(&Named::Fixture("teaser".to_owned())).unwrap();
         for bound in [Bound::Epsilon(0.3), Bound::Rho(0.9), Bound::Rho(1.8)] {
             let jumps = Jumps::new(&scene.parts[0], bound);
             for (from, &longest) in jumps.longest.iter().enumerate().step_by(37) {
@@ -206,7 +206,7 @@ mod tests {
     #[test]
     fn samplings_satisfy_their_condition() {
         for name in ["teaser", "wave", "fish"] {
-            let scene = Scene::fixture(name).unwrap();
+            let scene = Scene::named(&Named::Fixture(name.to_owned())).unwrap();
             for part in &scene.parts {
                 let jumps = Jumps::new(part, Bound::Epsilon(0.4));
                 for seed in 0..5 {

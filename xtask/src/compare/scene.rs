@@ -1,5 +1,6 @@
 //! The true curves of a cell: dense points in order, and what outputs are measured against.
 
+use super::fourier;
 use crate::root::root;
 use anyhow::Context;
 use curvecrust::DVec2;
@@ -8,8 +9,9 @@ use curvecrust::evaluate::Reference;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
 use std::f64::consts::{PI, TAU};
+use std::fmt;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Curves as dense points, one part after the other.
 pub(super) struct Scene {
@@ -25,10 +27,28 @@ pub(super) struct Part {
     pub(super) lfs: Vec<f64>,
 }
 
-/// What names of the curves of the paper's authors begin with.
-pub(super) const AUTHORS: &str = "paper-";
+/// A curve that takes part by its name.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Named {
+    /// Of `fixtures/curves`.
+    Fixture(String),
+    /// Of the paper's authors.
+    Authors(String),
+    /// A random closed curve.
+    Random { terms: u32, seed: u64 },
+}
 
-/// Where their curves are, if they were fetched.
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fixture(name) => f.write_str(name),
+            Self::Authors(name) => write!(f, "paper-{name}"),
+            Self::Random { seed, .. } => write!(f, "random-{seed}"),
+        }
+    }
+}
+
+/// Where the authors' curves are, if they were fetched.
 pub(super) fn authors_curves() -> PathBuf {
     root().join("fixtures/paper/curves")
 }
@@ -39,16 +59,13 @@ const GAP_TO_LFS: f64 = 0.02;
 const FLATNESS: f64 = 2e-4;
 
 impl Scene {
-    /// A curve of the fixtures, with its local feature size; `paper-cat` is the cat of the paper's authors.
-    pub(super) fn fixture(name: &str) -> anyhow::Result<Self> {
-        let path = match name.strip_prefix(AUTHORS) {
-            Some(name) => authors_curves().join(name),
-            None => root().join("fixtures/curves").join(name),
+    /// A curve with its local feature size.
+    pub(super) fn named(name: &Named) -> anyhow::Result<Self> {
+        let curve = match name {
+            Named::Fixture(name) => drawn(&root().join("fixtures/curves").join(name))?,
+            Named::Authors(name) => drawn(&authors_curves().join(name))?,
+            Named::Random { terms, seed } => fourier::curve(*terms, *seed)?,
         };
-        let path = path.with_extension("svg");
-        let text =
-            fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let curve = Curve::from_svg(&text).with_context(|| path.display().to_string())?;
         let adaptive = Discretisation::Adaptive {
             gap_to_lfs: GAP_TO_LFS,
         };
@@ -154,6 +171,14 @@ impl Scene {
         ];
         Self::polygonal(centres.map(tile).to_vec())
     }
+}
+
+/// The curve of a drawing, whose name is given without its ending.
+fn drawn(path: &Path) -> anyhow::Result<Curve> {
+    let path = path.with_extension("svg");
+    let text =
+        fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    Curve::from_svg(&text).with_context(|| path.display().to_string())
 }
 
 fn parts(measured: &Measured) -> Vec<Part> {
