@@ -4,6 +4,7 @@
 //! algorithm, in an order that depends on neither threads nor time, and from the rows alone tables,
 //! plots and a page.
 
+mod algorithms;
 mod cell;
 mod experiment;
 mod fourier;
@@ -16,6 +17,7 @@ mod random;
 mod run;
 mod scale;
 mod scene;
+mod shortest_tour;
 #[cfg(test)]
 mod tests;
 mod trial;
@@ -25,7 +27,6 @@ use crate::root::root;
 use crate::whole::write_whole;
 use anyhow::{Context, ensure};
 use cell::{Fixtures, Job};
-use curvecrust::reconstruct::ALGORITHMS;
 use curvecrust::report::compare::{Cells, Row, Timing, tables};
 use experiment::{Choice, Experiment, Input, Kind, Over};
 use manifest::{CurveEntry, Manifest};
@@ -43,11 +44,11 @@ use std::time::Instant;
 /// What was typed.
 #[derive(clap::Args, Clone, Default)]
 pub(crate) struct Args {
-    /// Only these algorithms, instead of those of each experiment
-    #[arg(long, value_delimiter = ',', value_name = "NAME")]
+    /// These algorithms, separated by commas, instead of those of each experiment
+    #[arg(long, value_delimiter = ',', value_name = "NAMES", value_parser = algorithms::names())]
     algorithms: Vec<String>,
-    /// Only these experiments, instead of all but `scale`
-    #[arg(long, value_delimiter = ',', value_name = "NAME")]
+    /// These experiments, separated by commas, instead of all but `scale`; their results are printed by the values of their sweep
+    #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     experiments: Vec<String>,
     /// So many trials a cell, instead of what each experiment says
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -67,8 +68,8 @@ pub(crate) struct Args {
     /// Where to write, instead of target/compare
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Put the results into docs/results/compare too, to be committed
-    #[arg(long, conflicts_with = "quick")]
+    /// Put the results into docs/results/compare too, in the place of earlier ones of the same experiments
+    #[arg(long, conflicts_with_all = ["quick", "algorithms", "trials", "seed", "resume"])]
     publish: bool,
     /// Measure an algorithm on a number of points with a seed, alone in this process
     #[arg(long, hide = true, value_name = "NAME,N,SEED")]
@@ -121,15 +122,19 @@ fn run_until(args: &Args, stop: &AtomicBool) -> anyhow::Result<ExitCode> {
     let cells = Cells::of_rows(&rows);
     write_whole(&folder.join("cells.csv"), cells.to_csv())?;
     let names = experiments.iter().map(|e| e.name.clone()).collect();
-    let run = published::Run::here(names, threads, start.elapsed().as_secs_f64());
-    let texts = write::texts(&experiments, &cells, &times, &[run.facts()])?;
+    // A resumed run knows the time of its last part only.
+    let seconds = (!args.resume).then(|| start.elapsed().as_secs_f64().round());
+    let run = published::Run::here(names, threads, seconds);
+    let answered = write::answered(&experiments, &cells, &times);
+    let texts = write::texts(&answered, &[run.facts()])?;
     write::write(&folder, &texts)?;
-    if args.publish {
-        published::publish(run, &cells, &times)?;
+    if !args.experiments.is_empty() {
+        print!("{}", tables::by_value(&answered.sheets));
     }
-    let described: Vec<_> = experiments.iter().map(Experiment::described).collect();
-    let names: Vec<&str> = ALGORITHMS.iter().map(|a| a.info().name).collect();
-    print!("{}", tables::overview_of(described, &cells, &names));
+    print!(
+        "{}",
+        tables::overview(&answered.sheets, &answered.algorithms)
+    );
     eprintln!(
         "{} rows in {:.1} s; tables, plots and index.html are in {}",
         rows.len(),
@@ -139,6 +144,10 @@ fn run_until(args: &Args, stop: &AtomicBool) -> anyhow::Result<ExitCode> {
     let differing = known::differing(&experiments, &rows);
     for answer in &differing {
         eprintln!("failed: {answer}");
+    }
+    if args.publish && differing.is_empty() {
+        published::publish(run, &cells, &times)?;
+        eprintln!("published in {}", published::FOLDER);
     }
     Ok(ExitCode::from(u8::from(!differing.is_empty())))
 }
@@ -150,6 +159,12 @@ fn text_of(path: &Path) -> anyhow::Result<String> {
 /// The experiments that were asked for.
 fn chosen(args: &Args) -> anyhow::Result<Vec<Experiment>> {
     let all = experiment::all()?;
+    for (i, name) in args.algorithms.iter().enumerate() {
+        ensure!(
+            !args.algorithms[..i].contains(name),
+            "{name:?} is among the algorithms twice"
+        );
+    }
     for name in &args.experiments {
         let names: Vec<&str> = all.iter().map(|e| e.name.as_str()).collect();
         ensure!(
@@ -170,9 +185,6 @@ fn chosen(args: &Args) -> anyhow::Result<Vec<Experiment>> {
 
 /// All cells, in the order of the rows.
 fn plan(args: &Args, experiments: &[Experiment]) -> anyhow::Result<Plan> {
-    for name in &args.algorithms {
-        experiment::algorithm(name)?;
-    }
     let manifest = manifest::read()?;
     let mut jobs = Vec::new();
     for experiment in experiments {

@@ -11,7 +11,9 @@
 //! | [`heat_map`] | algorithms against experiments, as SVG |
 //! | [`page`] | all of it as one HTML file |
 //!
-//! Each step is a pure function of the one before it: the same rows give the same bytes.
+//! Each step is a pure function of the one before it: the same rows give the same bytes. Whoever has
+//! curves and algorithms makes rows of their [`Evaluation`](curvecrust_evaluate::Evaluation)s; the
+//! crate doc of `curvecrust` shows all of it.
 
 pub mod axis;
 pub mod cells;

@@ -1,8 +1,8 @@
-//! Experiments as they stand in `benches/experiments/*.toml`.
+//! Experiments as they stand in `benches/experiments/*.toml`: what each field means.
 
+use super::algorithms;
 use crate::root::root;
-use anyhow::{Context, bail, ensure};
-use curvecrust::reconstruct::ALGORITHMS;
+use anyhow::{Context, ensure};
 use curvecrust::report::compare;
 use serde::Deserialize;
 use std::fs;
@@ -221,7 +221,7 @@ impl Experiment {
         }
         let known = self.known.iter().map(|known| &known.algorithm);
         for name in self.algorithms.iter().chain(known) {
-            algorithm(name)?;
+            algorithms::named(name)?;
         }
         for input in &self.input {
             let fits = match input {
@@ -256,21 +256,6 @@ impl Experiment {
             plots: self.plots.clone(),
         }
     }
-}
-
-/// The algorithm of a name.
-pub(super) fn algorithm(
-    name: &str,
-) -> anyhow::Result<&'static dyn curvecrust::reconstruct::Reconstructor> {
-    let found = ALGORITHMS.iter().find(|a| a.info().name == name);
-    let Some(found) = found else {
-        let names: Vec<&str> = ALGORITHMS.iter().map(|a| a.info().name).collect();
-        bail!(
-            "there is no algorithm {name:?}: choose from {}",
-            names.join(", ")
-        );
-    };
-    Ok(*found)
 }
 
 #[cfg(test)]

@@ -57,6 +57,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
     use super::*;
+    use crate::compare::scene::{Named, Scene};
     use curvecrust::curve::{Component, Curve};
 
     /// The files of a folder of the fixtures, as the manifest names them.
@@ -124,5 +125,28 @@ mod tests {
                 "{kind}"
             );
         }
+    }
+
+    /// What the list says of local feature sizes, measured.
+    #[test]
+    fn local_feature_sizes_vary_as_the_manifest_says() {
+        let extremes = |name: &str| {
+            let scene = Scene::named(&Named::Fixture(name.to_owned())).unwrap();
+            let lfs = || scene.parts.iter().flat_map(|part| part.lfs.iter().copied());
+            let [least, most] = [
+                lfs().fold(f64::INFINITY, f64::min),
+                lfs().fold(0.0, f64::max),
+            ];
+            [least, most].map(|lfs| lfs / scene.reference.extent())
+        };
+        let [least, most] = extremes("nautilus");
+        println!("nautilus: lfs from {least} to {most} extents");
+        assert!(most > 1000.0 * least);
+        let [least, most] = extremes("eclipse");
+        println!("eclipse: lfs from {least} to {most} extents");
+        assert!(least < 0.01);
+        let [least, most] = extremes("spiral");
+        println!("spiral: lfs from {least} to {most} extents");
+        assert!(least < 0.03 && most < 1.1 * least);
     }
 }

@@ -13,7 +13,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Where it is, below the root.
-const FOLDER: &str = "docs/results/compare";
+pub(super) const FOLDER: &str = "docs/results/compare";
 /// What is made of the rest; the page holds all plots.
 const MADE: [&str; 3] = ["tables.md", "index.html", "plots/overview.svg"];
 
@@ -33,12 +33,13 @@ pub(super) struct Run {
     pub(super) machine: String,
     pub(super) threads: usize,
     pub(super) rust: String,
-    pub(super) seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) seconds: Option<f64>,
 }
 
 impl Run {
     /// Of this program, here and now.
-    pub(super) fn here(experiments: Vec<String>, threads: usize, seconds: f64) -> Self {
+    pub(super) fn here(experiments: Vec<String>, threads: usize, seconds: Option<f64>) -> Self {
         let said = |program: &str, arguments: &[&str]| {
             let output = Command::new(program)
                 .args(arguments)
@@ -48,7 +49,17 @@ impl Run {
             text.ok().filter(|text| !text.is_empty())
         };
         let commit = said("git", &["rev-parse", "--short=12", "HEAD"]);
-        let changed = said("git", &["status", "--porcelain", "--untracked-files=no"]).is_some();
+        // What an earlier run published is no change of the program.
+        let results = format!(":(exclude){FOLDER}");
+        let status = [
+            "status",
+            "--porcelain",
+            "--untracked-files=no",
+            "--",
+            ".",
+            &results,
+        ];
+        let changed = said("git", &status).is_some();
         let commit = commit.map(|c| {
             if changed {
                 format!("{c}, with changes")
@@ -64,7 +75,7 @@ impl Run {
             machine: processor().unwrap_or_else(unknown),
             threads,
             rust: said("rustc", &["--version"]).unwrap_or_else(unknown),
-            seconds: seconds.round(),
+            seconds,
         }
     }
 
@@ -79,10 +90,14 @@ impl Run {
             seconds,
             ..
         } = self;
+        let took = match seconds {
+            Some(seconds) => format!("{seconds} s"),
+            None => "resumed".to_owned(),
+        };
         (
             self.experiments.join(", "),
             format!(
-                "version {version}, commit {commit}; {machine}, {threads} threads, {rust}; {seconds} s"
+                "version {version}, commit {commit}; {machine}, {threads} threads, {rust}; {took}"
             ),
         )
     }
@@ -153,7 +168,8 @@ pub(crate) fn made() -> anyhow::Result<Vec<(String, String)>> {
     }
     let (runs, cells, times) = read(&folder)?;
     let facts: Vec<_> = runs.run.iter().map(Run::facts).collect();
-    let texts = write::texts(&experiment::all()?, &cells, &times, &facts)?;
+    let answered = write::answered(&experiment::all()?, &cells, &times);
+    let texts = write::texts(&answered, &facts)?;
     let made = texts
         .into_iter()
         .filter(|(name, _)| MADE.contains(&name.as_str()));

@@ -1,7 +1,7 @@
 //! Run time and memory: each measurement is a process of its own, and nothing else of ours runs.
 
+use super::algorithms;
 use super::cell::Job;
-use super::experiment::algorithm;
 use super::random::{Random, seed_of};
 use super::trial::{self, Lines};
 use anyhow::{Context, bail, ensure};
@@ -101,7 +101,7 @@ pub(super) fn measure(what: &str) -> anyhow::Result<()> {
     let &[name, points, seed] = fields.as_slice() else {
         bail!("{ARGUMENT} takes an algorithm, a number of points and a seed");
     };
-    let algorithm = algorithm(name)?;
+    let algorithm = algorithms::named(name)?;
     let (points, boundary) = planted(points.parse()?, seed.parse()?)?;
     let start = Instant::now();
     let edges = algorithm.reconstruct(&points);

@@ -1,7 +1,7 @@
 //! One cell run: every trial by every algorithm, as lines of the row and timing files.
 
+use super::algorithms;
 use super::cell::{Fixtures, Job, Sampled};
-use super::experiment::algorithm;
 use super::random::seed_of;
 use super::scene::Scene;
 use curvecrust::evaluate::{Bounds, Evaluation, Kind, Output, Truth};
@@ -29,7 +29,7 @@ pub(super) fn run(
     goes_on: &dyn Fn() -> bool,
 ) -> anyhow::Result<Option<Lines>> {
     let cell = job.prepare(fixtures)?;
-    let algorithms = algorithms.iter().map(|name| algorithm(name));
+    let algorithms = algorithms.iter().map(|name| algorithms::named(name));
     let algorithms: Vec<_> = algorithms.collect::<anyhow::Result<_>>()?;
     let series = job.series();
     let mut lines = Lines::default();

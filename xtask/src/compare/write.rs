@@ -1,10 +1,10 @@
 //! From the rows to everything people read: a pure function, and the files it goes to.
 
+use super::algorithms;
 use super::experiment::Experiment;
 use crate::png::Rasteriser;
 use crate::whole::write_whole;
 use anyhow::Context;
-use curvecrust::reconstruct::ALGORITHMS;
 use curvecrust::report::compare::chart::{Paper, Width};
 use curvecrust::report::compare::heat_map::HeatMap;
 use curvecrust::report::compare::{Cells, Sheet, Timing, page, tables};
@@ -12,35 +12,46 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
-/// The texts made of cells and times: their names, and what is in them.
-pub(super) fn texts(
-    experiments: &[Experiment],
-    cells: &Cells,
-    times: &[Timing],
-    facts: &[(String, String)],
-) -> anyhow::Result<Vec<(String, String)>> {
-    let algorithms: Vec<&str> = ALGORITHMS.iter().map(|a| a.info().name).collect();
+/// What experiments answered, and the algorithms that took part in the order of their list.
+pub(super) struct Answered {
+    pub(super) sheets: Vec<Sheet>,
+    pub(super) algorithms: Vec<&'static str>,
+}
+
+/// The answers in cells and times.
+pub(super) fn answered(experiments: &[Experiment], cells: &Cells, times: &[Timing]) -> Answered {
+    // Those that took part: there are more than lines can be told apart.
+    let mut algorithms = algorithms::names();
+    algorithms.retain(|name| {
+        cells.all().iter().any(|cell| cell.algorithm == *name)
+            || times.iter().any(|timing| timing.algorithm == *name)
+    });
     let sheets: Vec<Sheet> = experiments
         .iter()
         .map(|experiment| Sheet::new(experiment.described(), cells, times, &algorithms))
         .filter(|sheet| !sheet.panels.is_empty())
         .collect();
+    Answered { sheets, algorithms }
+}
+
+/// The texts made of answers: their names, and what is in them.
+pub(super) fn texts(
+    Answered { sheets, algorithms }: &Answered,
+    facts: &[(String, String)],
+) -> anyhow::Result<Vec<(String, String)>> {
     let mut texts = vec![
-        (
-            "tables.md".to_owned(),
-            tables::markdown(&sheets, &algorithms),
-        ),
-        ("tables.json".to_owned(), tables::json(&sheets)?),
+        ("tables.md".to_owned(), tables::markdown(sheets, algorithms)),
+        ("tables.json".to_owned(), tables::json(sheets)?),
         (
             "index.html".to_owned(),
-            page::html(&sheets, &algorithms, facts),
+            page::html(sheets, algorithms, facts),
         ),
     ];
-    let map = HeatMap::new(&sheets, &algorithms);
+    let map = HeatMap::new(sheets, algorithms);
     if !map.rows.is_empty() {
         texts.push(("plots/overview.svg".to_owned(), map.to_svg(Paper::Light)));
     }
-    for sheet in &sheets {
+    for sheet in sheets {
         let groups: Vec<&str> = sheet
             .panels
             .iter()

@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use crate::compare::cells::Cells;
 use crate::compare::heat_map::{HeatMap, percent};
 use crate::compare::rows::six_digits;
-use crate::compare::sheet::{Answers, Experiment, Faultless, Panel, Sheet};
+use crate::compare::sheet::{Answers, Faultless, Panel, Sheet};
 use crate::render::{RenderError, grid};
 
 /// All tables: the overview, then every panel of every experiment.
@@ -53,13 +52,19 @@ pub fn overview(sheets: &[Sheet], algorithms: &[&str]) -> String {
         + &grid(&header, &lines)
 }
 
-/// The same, straight from cells.
+/// What matters most of each experiment, by the values of its sweep: the share of trials with exactly
+/// the true edges, run time and memory.
 #[must_use]
-pub fn overview_of(experiments: Vec<Experiment>, cells: &Cells, algorithms: &[&str]) -> String {
-    let sheets = experiments
-        .into_iter()
-        .map(|e| Sheet::new(e, cells, &[], algorithms));
-    overview(&sheets.collect::<Vec<_>>(), algorithms)
+pub fn by_value(sheets: &[Sheet]) -> String {
+    let mut text = String::new();
+    for sheet in sheets {
+        let matters = |panel: &&Panel| matches!(&*panel.metric, "exact" | "run_time" | "memory");
+        for panel in sheet.panels.iter().filter(matters) {
+            text += &format!("### {}, {}\n\n", sheet.experiment.name, panel.title());
+            text += &panel_table(panel, &sheet.experiment.sweep);
+        }
+    }
+    text
 }
 
 /// The values of a panel: a line per value of the sweep, a column per algorithm.
