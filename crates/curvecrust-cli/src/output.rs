@@ -4,19 +4,18 @@ mod dxf;
 mod geojson;
 pub(crate) mod npy;
 mod number;
+mod shape;
 mod svg;
 mod whole;
 mod wkt;
 
-pub(crate) use geojson::Feature;
 pub(crate) use number::Number;
+pub(crate) use shape::{Feature, Places, Shape, Streamed};
 pub(crate) use svg::{Layer, Path, Picture};
 
 use crate::args;
 use crate::format::{self, Format};
 use anyhow::bail;
-use curvecrust::DVec2;
-use curvecrust::geometry::Segment;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -28,19 +27,6 @@ pub(crate) struct Output {
     path: Option<PathBuf>,
     force: bool,
     pub(crate) format: Format,
-}
-
-/// What a result is made of, for the formats that know nothing but geometry.
-#[derive(Debug)]
-pub(crate) enum Shape {
-    /// Rings, none of which repeats its first point: one outside, counter-clockwise, and holes.
-    Polygon(Vec<Vec<DVec2>>),
-    /// One polyline.
-    Line(Vec<DVec2>),
-    /// Points alone.
-    Points(Vec<DVec2>),
-    /// Straight pieces, in no order.
-    Segments(Vec<Segment>),
 }
 
 impl Output {
@@ -96,7 +82,10 @@ impl Output {
     }
 
     /// Writes shapes in a format that knows nothing but geometry.
-    pub(crate) fn write_features(&self, features: &[Feature]) -> anyhow::Result<()> {
+    pub(crate) fn write_features<'a, P: Serialize>(
+        &self,
+        features: impl Iterator<Item = Feature<'a, P>>,
+    ) -> anyhow::Result<()> {
         self.write(|out| match self.format {
             Format::Geojson => geojson::write(out, features),
             Format::Wkt => wkt::write(out, features),

@@ -67,20 +67,21 @@ struct Adjacency {
 
 impl Adjacency {
     fn new(set: &EdgeSet) -> Self {
-        let mut first = vec![0; set.vertex_count() + 1];
+        // Behind each vertex v, at v + 1, where its neighbours start, and as they come in, where they end.
+        let mut first = vec![0; set.vertex_count() + 2];
         for end in set.edges().iter().flat_map(|e| e.ends()) {
-            first[end.index() + 1] += 1;
+            first[end.index() + 2] += 1;
         }
         for v in 1..first.len() {
             first[v] += first[v - 1];
         }
-        let mut free = first.clone();
         let mut targets = vec![PointId::from(0); 2 * set.len()];
         // Edges are sorted, so each vertex gets its smaller neighbours first, all ascending.
         for edge in set.edges() {
             for (from, to) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
-                targets[free[from.index()]] = to;
-                free[from.index()] += 1;
+                let end = &mut first[from.index() + 1];
+                targets[*end] = to;
+                *end += 1;
             }
         }
         Self { first, targets }

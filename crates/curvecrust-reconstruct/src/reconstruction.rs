@@ -4,7 +4,7 @@ use curvecrust_geometry::{Chain, EdgeSet, PointId, PointSet};
 
 use crate::algorithm::Reconstructor;
 use crate::error::ReconstructError;
-use crate::rings::{is_clockwise, nesting};
+use crate::rings::{Surroundings, is_clockwise};
 
 /// Edges between points, and the curves that they form.
 ///
@@ -21,6 +21,7 @@ use crate::rings::{is_clockwise, nesting};
 /// let found = Reconstruction::by(&HnnCrust::MUTUAL, &ring);
 /// let [outer, hole] = found.chains() else { panic!("two rings") };
 /// assert_eq!((outer.nesting, hole.nesting), (Some(0), Some(1)));
+/// assert_eq!(hole.parent, Some(0));
 /// // Counter-clockwise, although the points were given clockwise.
 /// assert_eq!(outer.chain.vertices()[1].index(), 19);
 /// assert!(found.edges().leaves().is_empty());
@@ -46,6 +47,10 @@ pub struct NestedChain {
     /// A ring surrounds another if its even-odd interior holds the vertex of the other that comes
     /// first by x, then y. For rings that do not cross, any vertex would do.
     pub nesting: Option<u32>,
+    /// The ring right around a ring, as a position in [`Reconstruction::chains`]: the first of those
+    /// that surround it whose nesting is one less. `None` on the outside, for an open chain, and where
+    /// rings cross so that there is no such ring.
+    pub parent: Option<usize>,
 }
 
 impl Reconstruction {
@@ -71,11 +76,18 @@ impl Reconstruction {
             if flip { chain.reversed() } else { chain }
         };
         let oriented: Vec<Chain> = edges.chains().into_iter().map(orient).collect();
-        let nesting = nesting(points, &oriented);
+        let around = Surroundings::new(points, &oriented);
+        let nesting = around.nesting();
+        let parents = around.parents(&nesting);
+        drop(around);
         let chains = oriented
             .into_iter()
-            .zip(nesting)
-            .map(|(chain, nesting)| NestedChain { chain, nesting })
+            .zip(nesting.into_iter().zip(parents))
+            .map(|(chain, (nesting, parent))| NestedChain {
+                chain,
+                nesting,
+                parent,
+            })
             .collect();
         Self {
             degrees: edges.degrees(),

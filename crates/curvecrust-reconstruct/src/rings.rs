@@ -39,57 +39,118 @@ pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
     is_negative(&area)
 }
 
-/// For each chain how many rings surround it; `None` for open chains.
-pub(crate) fn nesting(points: &PointSet, chains: &[Chain]) -> Vec<Option<u32>> {
-    let rings = chains.iter().enumerate().filter(|(_, c)| c.is_closed());
-    let sides = rings.flat_map(|(ring, chain)| {
-        chain.edges().map(move |edge| {
-            let [a, b] = edge.ends().map(|v| points[v]);
-            let (left, right) = if a.x <= b.x { (a, b) } else { (b, a) };
-            Side { ring, left, right }
-        })
-    });
-    let tree = RTree::bulk_load(sides.collect());
-    let lowest = points.points().iter().map(|p| p.y).fold(0.0, f64::min);
-    let depth = |(ring, chain): (usize, &Chain)| {
-        let vertices = chain.vertices().iter().map(|&v| points[v]);
+/// Rings around rings.
+pub(crate) struct Surroundings<'a> {
+    points: &'a PointSet,
+    chains: &'a [Chain],
+    runs: RTree<Run>,
+    /// The smallest y.
+    lowest: f64,
+}
+
+/// So many sides make a run: few enough to look at one by one, enough that runs take little memory.
+const RUN: usize = 32;
+
+impl<'a> Surroundings<'a> {
+    pub(crate) fn new(points: &'a PointSet, chains: &'a [Chain]) -> Self {
+        let rings = chains.iter().enumerate().filter(|(_, c)| c.is_closed());
+        let runs = rings.flat_map(|(ring, chain)| {
+            let starts = (0..chain.vertices().len()).step_by(RUN);
+            starts.map(move |start| Run {
+                ring,
+                start,
+                bounds: bounds(points, sides(chain, start)),
+            })
+        });
+        Self {
+            points,
+            chains,
+            runs: RTree::bulk_load(runs.collect()),
+            lowest: points.points().iter().map(|p| p.y).fold(0.0, f64::min),
+        }
+    }
+
+    /// For each chain how many rings surround it; `None` for open chains.
+    pub(crate) fn nesting(&self) -> Vec<Option<u32>> {
+        let count = |ring| {
+            let around = self.of(ring)?.count();
+            // There are fewer rings than points.
+            u32::try_from(around).ok()
+        };
+        (0..self.chains.len()).into_par_iter().map(count).collect()
+    }
+
+    /// For each chain the first of the rings around it that one less surround; `None` for open chains,
+    /// and where there is no such ring.
+    pub(crate) fn parents(&self, nesting: &[Option<u32>]) -> Vec<Option<usize>> {
+        let parent = |ring: usize| {
+            let outer = nesting[ring]?.checked_sub(1)?;
+            self.of(ring)?.find(|&other| nesting[other] == Some(outer))
+        };
+        (0..self.chains.len()).into_par_iter().map(parent).collect()
+    }
+
+    /// The rings that surround a ring, ascending; `None` for an open chain.
+    fn of(&self, ring: usize) -> Option<impl Iterator<Item = usize> + use<>> {
+        let chain = Some(&self.chains[ring]).filter(|chain| chain.is_closed())?;
+        let vertices = chain.vertices().iter().map(|&v| self.points[v]);
         let place = vertices.min_by(|&a, &b| by_coordinates(a, b))?;
-        chain.is_closed().then(|| {
-            let below = AABB::from_corners([place.x, lowest], place.into());
-            let mut crossed: Vec<usize> = tree
-                .locate_in_envelope_intersecting(below)
-                .filter(|side| side.ring != ring && side.is_below(place))
-                .map(|side| side.ring)
-                .collect();
-            crossed.sort_unstable();
-            let surrounding = crossed.chunk_by(|a, b| a == b).filter(|c| c.len() % 2 == 1);
-            surrounding.fold(0, |count, _| count + 1)
-        })
-    };
-    chains.par_iter().enumerate().map(depth).collect()
-}
-
-/// A side of a ring, from left to right.
-struct Side {
-    ring: usize,
-    left: DVec2,
-    right: DVec2,
-}
-
-impl Side {
-    /// Whether the side passes below a point; of its ends only the right one belongs to it, so that
-    /// a vertex counts once.
-    fn is_below(&self, point: DVec2) -> bool {
-        self.left.x < point.x
-            && point.x <= self.right.x
-            && orient2d(self.left, self.right, point) > 0.0
+        let below = AABB::from_corners([place.x, self.lowest], place.into());
+        let runs = self.runs.locate_in_envelope_intersecting(below);
+        let mut crossed: Vec<usize> = Vec::new();
+        for run in runs.filter(|run| run.ring != ring) {
+            let sides = sides(&self.chains[run.ring], run.start);
+            let crossings = sides.filter(|&side| is_below(side.map(|v| self.points[v]), place));
+            crossed.extend(crossings.map(|_| run.ring));
+        }
+        crossed.sort_unstable();
+        // Those that are crossed an odd number of times, once each.
+        let mut left = crossed.into_iter().peekable();
+        Some(std::iter::from_fn(move || {
+            loop {
+                let ring = left.next()?;
+                if left.next_if_eq(&ring).is_none() {
+                    return Some(ring);
+                }
+            }
+        }))
     }
 }
 
-impl RTreeObject for Side {
+/// Consecutive sides of a ring.
+struct Run {
+    ring: usize,
+    /// The position of the first vertex in the ring.
+    start: usize,
+    bounds: AABB<[f64; 2]>,
+}
+
+impl RTreeObject for Run {
     type Envelope = AABB<[f64; 2]>;
 
     fn envelope(&self) -> Self::Envelope {
-        AABB::from_corners(self.left.into(), self.right.into())
+        self.bounds
     }
+}
+
+/// The sides of the run that starts at a position of a ring.
+fn sides(ring: &Chain, start: usize) -> impl Iterator<Item = [PointId; 2]> + '_ {
+    let vertices = ring.vertices();
+    let run = &vertices[start..vertices.len().min(start + RUN)];
+    let next = vertices[start + 1..].iter().chain(vertices.first());
+    run.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+fn bounds(points: &PointSet, sides: impl Iterator<Item = [PointId; 2]>) -> AABB<[f64; 2]> {
+    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let ends = sides.flatten().map(|v| points[v]);
+    let (low, high) = ends.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+    AABB::from_corners(low.into(), high.into())
+}
+
+/// Whether a side passes below a point; of its ends only the right one belongs to it, so that a
+/// vertex counts once.
+fn is_below([a, b]: [DVec2; 2], point: DVec2) -> bool {
+    let (left, right) = if a.x <= b.x { (a, b) } else { (b, a) };
+    left.x < point.x && point.x <= right.x && orient2d(left, right, point) > 0.0
 }

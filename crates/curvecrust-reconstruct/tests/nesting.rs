@@ -55,14 +55,16 @@ proptest! {
     /// Circles around random centres in a row, each with circles inside circles.
     #[test]
     fn planted_depths_are_found(
-        families in prop::collection::vec(prop::collection::vec((3..30i32, any::<bool>()), 1..6), 1..6),
+        families in prop::collection::vec(prop::collection::vec((3..90i32, any::<bool>()), 1..6), 1..6),
     ) {
         let mut rings = Vec::new();
         let mut depths = Vec::new();
+        let mut parents = Vec::new();
         for (x, family) in (0i32..).zip(&families) {
             let centre = DVec2::new(10.0 * f64::from(x), f64::from(x % 2));
             let mut radius = 4.0;
             for (depth, &(n, flipped)) in (0u32..).zip(family) {
+                parents.push((depth > 0).then(|| rings.len() - 1));
                 rings.push(circle(centre, radius, n, if flipped { -1.0 } else { 1.0 }));
                 // The circle inside a triangle has half its radius.
                 radius *= 0.45;
@@ -72,6 +74,8 @@ proptest! {
         let found = reconstruction(&rings);
         let nesting: Vec<_> = found.chains().iter().map(|c| c.nesting).collect();
         prop_assert_eq!(nesting, depths);
+        let found_parents: Vec<_> = found.chains().iter().map(|c| c.parent).collect();
+        prop_assert_eq!(found_parents, parents);
         for ring in found.chains() {
             prop_assert!(is_counter_clockwise(&rings, ring));
         }
@@ -102,8 +106,8 @@ fn rings_without_area_and_crossing_rings_are_settled() {
             .to_vec()
     };
     let found = reconstruction(&[square(0.0), square(1.0)]);
-    let nesting: Vec<_> = found.chains().iter().map(|c| c.nesting).collect();
-    assert_eq!(nesting, [Some(0), Some(1)]);
+    let nested = found.chains().iter().map(|c| (c.nesting, c.parent));
+    assert!(nested.eq([(Some(0), None), (Some(1), Some(0))]));
 }
 
 #[test]

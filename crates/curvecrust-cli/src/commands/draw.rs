@@ -5,10 +5,10 @@ use super::{Outcome, curves, reconstruct};
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Layer, Output, Picture};
-use curvecrust::DVec2;
-use curvecrust::geometry::PointId;
-use curvecrust::medial_axis::MedialAxis;
+use crate::output::{Layer, Output, Picture, Places};
+use curvecrust::curve::Curve;
+use curvecrust::geometry::Segment;
+use curvecrust::medial_axis::{Measured, MedialAxis};
 use curvecrust::reconstruct::Reconstruction;
 use std::path::Path;
 
@@ -22,80 +22,102 @@ pub(crate) fn run(args: &args::Draw, console: &Console) -> anyhow::Result<Outcom
         force: args.force,
     };
     let output = Output::new(&to, false, &[Format::Svg])?;
+    let curve = args.curve.as_deref();
+    let curve = curve
+        .map(|path| Drawn::read(args, path, console))
+        .transpose()?;
+    let points = args.points.as_deref();
+    let points = points
+        .map(|path| Found::read(args, path, console))
+        .transpose()?;
     let mut layers = Vec::new();
-    if let Some(path) = &args.curve {
-        draw_curve(args, path, console, &mut layers)?;
-    }
-    if let Some(path) = &args.points {
-        draw_points(args, path, console, &mut layers)?;
-    }
+    layers.extend(curve.iter().flat_map(|curve| curve.layers(args)));
+    layers.extend(points.iter().flat_map(|points| points.layers(args)));
     if let Some(output) = output {
         output.write(|out| Picture { layers }.write(out))?;
     }
     Ok(Outcome::Fine)
 }
 
-fn draw_curve(
-    args: &args::Draw,
-    path: &Path,
-    console: &Console,
-    layers: &mut Vec<Layer>,
-) -> anyhow::Result<()> {
-    let curve = curves::read(path)?;
-    if !(args.medial_axis || args.lfs) {
-        layers.push(Layer::Curve(curve));
-        return Ok(());
-    }
-    let settings = args::Curve {
-        path: path.to_owned(),
-        gap: None,
-        per_segment: None,
-    };
-    let measured = curves::measured(&settings, &curve, None, console)?;
-    if args.medial_axis {
-        let axis = MedialAxis::new(measured.dense())?;
-        layers.push(Layer::Axis(axis.edges().map(|edge| edge.segment).collect()));
-    }
-    layers.push(if args.lfs {
-        Layer::Lfs(measured)
-    } else {
-        Layer::Curve(curve)
-    });
-    Ok(())
+/// A curve, and what was asked for about it.
+struct Drawn {
+    curve: Curve,
+    measured: Option<Measured>,
+    axis: Vec<Segment>,
 }
 
-fn draw_points(
-    args: &args::Draw,
-    path: &Path,
-    console: &Console,
-    layers: &mut Vec<Layer>,
-) -> anyhow::Result<()> {
-    let source = args::Points {
-        path: path.to_owned(),
-        from: args.from,
-        merge_duplicates: args.merge_duplicates,
-    };
-    let bare = BarePoints::read(&source, console)?;
-    if args.edges.is_some() || args.violations {
-        let name = args.edges.as_deref().unwrap_or(DEFAULT);
-        let algorithm = reconstruct::algorithm(name)?;
-        let found = console.during("reconstructing", |_| {
+impl Drawn {
+    fn read(args: &args::Draw, path: &Path, console: &Console) -> anyhow::Result<Self> {
+        let curve = curves::read(path)?;
+        let settings = args::Curve {
+            path: path.to_owned(),
+            gap: None,
+            per_segment: None,
+        };
+        let measured = (args.medial_axis || args.lfs)
+            .then(|| curves::measured(&settings, &curve, None, console))
+            .transpose()?;
+        let mut axis = Vec::new();
+        if let Some(measured) = measured.as_ref().filter(|_| args.medial_axis) {
+            let found = MedialAxis::new(measured.dense())?;
+            axis.extend(found.edges().map(|edge| edge.segment));
+        }
+        Ok(Self {
+            curve,
+            measured,
+            axis,
+        })
+    }
+
+    fn layers(&self, args: &args::Draw) -> Vec<Layer<'_>> {
+        let axis = args.medial_axis.then_some(Layer::Axis(&self.axis));
+        let curve = match &self.measured {
+            Some(measured) if args.lfs => Layer::Lfs(measured),
+            _ => Layer::Curve(&self.curve),
+        };
+        axis.into_iter().chain([curve]).collect()
+    }
+}
+
+/// Points, and what was found from them.
+struct Found {
+    bare: BarePoints,
+    curves: Option<Reconstruction>,
+}
+
+impl Found {
+    fn read(args: &args::Draw, path: &Path, console: &Console) -> anyhow::Result<Self> {
+        let source = args::Points {
+            path: path.to_owned(),
+            from: args.from,
+            merge_duplicates: args.merge_duplicates,
+        };
+        let bare = BarePoints::read(&source, console)?;
+        if args.edges.is_none() && !args.violations {
+            return Ok(Self { bare, curves: None });
+        }
+        let algorithm = reconstruct::algorithm(args.edges.as_deref().unwrap_or(DEFAULT))?;
+        let curves = console.during("reconstructing", |_| {
             Reconstruction::by(algorithm, &bare.points)
         });
-        let places = |ids: Vec<PointId>| -> Vec<DVec2> {
-            ids.into_iter().map(|id| bare.points[id]).collect()
-        };
-        if args.edges.is_some() {
-            layers.push(Layer::Edges(reconstruct::paths(&bare, &found)));
+        let curves = Some(curves);
+        Ok(Self { bare, curves })
+    }
+
+    fn layers(&self, args: &args::Draw) -> Vec<Layer<'_>> {
+        let points = &self.bare.points;
+        let mut layers = Vec::new();
+        if let Some(curves) = self.curves.as_ref().filter(|_| args.edges.is_some()) {
+            layers.push(Layer::Edges(reconstruct::paths(points, curves)));
         }
-        if args.violations {
+        if let Some(curves) = self.curves.as_ref().filter(|_| args.violations) {
             layers.push(Layer::Marks {
-                leaves: places(found.leaves()),
-                isolated: places(found.isolated()),
-                junctions: places(found.junctions()),
+                leaves: Places::named(points, curves.leaves()),
+                isolated: Places::named(points, curves.isolated()),
+                junctions: Places::named(points, curves.junctions()),
             });
         }
+        layers.push(Layer::Points(points.points()));
+        layers
     }
-    layers.push(Layer::Points(bare.points.points().to_vec()));
-    Ok(())
 }

@@ -8,7 +8,6 @@ use crate::output::{self, Feature, Layer, Number, Output, Picture, Shape};
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::MedialAxis;
 use serde::Serialize;
-use serde_json::Map;
 use std::io::{self, Write};
 
 /// The formats of a medial axis, the one of stdout first.
@@ -27,6 +26,10 @@ struct Object {
     segments: Vec<[[f64; 2]; 2]>,
 }
 
+/// What GeoJSON tells about the axis, beside its places.
+#[derive(Serialize)]
+struct Nothing {}
+
 pub(crate) fn run(args: &args::MedialAxis, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
     let curve = curves::read(&args.curve.path)?;
@@ -38,13 +41,14 @@ pub(crate) fn run(args: &args::MedialAxis, console: &Console) -> anyhow::Result<
             Format::Csv => output.write(|out| write_csv(out, &segments))?,
             Format::Json => output.write_json(&object(&segments))?,
             Format::Svg => {
-                let layers = vec![Layer::Curve(curve), Layer::Axis(segments.clone())];
+                let layers = vec![Layer::Curve(&curve), Layer::Axis(&segments)];
                 output.write(|out| Picture { layers }.write(out))?;
             }
-            _ => output.write_features(&[Feature {
-                shape: Shape::Segments(segments.clone()),
-                properties: Map::new(),
-            }])?,
+            _ => {
+                let shape = Shape::Segments(&segments);
+                let properties = Nothing {};
+                output.write_features(std::iter::once(Feature { shape, properties }))?;
+            }
         }
     }
     if args.json {

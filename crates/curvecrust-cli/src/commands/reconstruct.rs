@@ -68,24 +68,25 @@ fn write(
         }
     }
     let found = Found {
+        algorithm: &args.algorithm,
         bare,
         curves: Reconstruction::new(&bare.points, edges)?,
     };
     if let Some(output) = output {
         match output.format {
             Format::Csv => output.write(|out| found.write_csv(out))?,
-            Format::Json => output.write_json(&found.object(&args.algorithm))?,
+            Format::Json => output.write_json(&found)?,
             Format::Svg => {
-                let points = Layer::Points(bare.points.points().to_vec());
-                let layers = vec![Layer::Edges(paths(bare, &found.curves)), points];
+                let edges = Layer::Edges(paths(&bare.points, &found.curves));
+                let layers = vec![edges, Layer::Points(bare.points.points())];
                 output.write(|out| Picture { layers }.write(out))?;
             }
             Format::Npy => {}
-            _ => output.write_features(&found.features())?,
+            _ => output.write_features(found.features(&found.rings()))?,
         }
     }
     if args.json {
-        output::print_json(&found.object(&args.algorithm))?;
+        output::print_json(&found)?;
     }
     Ok(())
 }

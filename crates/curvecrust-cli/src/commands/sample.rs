@@ -5,7 +5,7 @@ use crate::args::{self, Count};
 use crate::console::Console;
 use crate::format::Format;
 use crate::input;
-use crate::output::{self, Feature, Layer, Number, Output, Picture, Shape, npy};
+use crate::output::{self, Feature, Layer, Number, Output, Picture, Places, Shape, npy};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
@@ -16,7 +16,6 @@ use curvecrust::sampling::{
     sample, sample_curve, sample_fewest, sample_verified,
 };
 use serde::Serialize;
-use serde_json::{Map, json};
 use std::io::{self, Write};
 
 /// The formats of samples, the one of stdout first.
@@ -62,6 +61,12 @@ struct Component {
     closed: bool,
 }
 
+/// What GeoJSON tells about the samples of a component.
+#[derive(Serialize)]
+struct Properties {
+    curve: usize,
+}
+
 pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
     let curve = curves::read(&args.curve.path)?;
@@ -81,10 +86,10 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
             }
             Format::Json => output.write_json(&object(&curve, &certified)?)?,
             Format::Svg => {
-                let layers = vec![Layer::Points(samples.points().to_vec())];
+                let layers = vec![Layer::Points(samples.points())];
                 output.write(|out| Picture { layers }.write(out))?;
             }
-            _ => output.write_features(&features(samples))?,
+            _ => output.write_features(features(samples))?,
         }
     }
     if args.json {
@@ -197,14 +202,9 @@ fn write_text(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
     points.try_for_each(|p| writeln!(out, "{} {}", Number(p.x), Number(p.y)))
 }
 
-fn features(samples: &SampledCurve) -> Vec<Feature> {
-    let feature = |(curve, part): (usize, &[DVec2])| {
-        let mut properties = Map::new();
-        properties.insert(String::from("curve"), json!(curve));
-        Feature {
-            shape: Shape::Points(part.to_vec()),
-            properties,
-        }
-    };
-    parts(samples).enumerate().map(feature).collect()
+fn features(samples: &SampledCurve) -> impl Iterator<Item = Feature<'_, Properties>> {
+    parts(samples).enumerate().map(|(curve, part)| Feature {
+        shape: Shape::Points(Places::all(part)),
+        properties: Properties { curve },
+    })
 }

@@ -3,26 +3,29 @@
 //! Rings are closed polylines and chains open ones, on layers named after their kind. Each item is a
 //! line with the code of a group and a line with its value.
 
-use super::{Feature, Number, Shape};
+use super::{Feature, Number, Places, Shape};
 use curvecrust::DVec2;
 use std::io::{self, Write};
 
-pub(super) fn write(out: &mut dyn Write, features: &[Feature]) -> io::Result<()> {
+pub(super) fn write<'a, P>(
+    out: &mut dyn Write,
+    features: impl Iterator<Item = Feature<'a, P>>,
+) -> io::Result<()> {
     write!(
         out,
         "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n"
     )?;
     write!(out, "0\nSECTION\n2\nENTITIES\n")?;
     for feature in features {
-        match &feature.shape {
+        match feature.shape {
             Shape::Polygon(rings) => {
-                for ring in rings {
+                for ring in &rings {
                     polyline(out, "rings", ring, true)?;
                 }
             }
-            Shape::Line(line) => polyline(out, "chains", line, false)?,
+            Shape::Line(line) => polyline(out, "chains", &line, false)?,
             Shape::Points(points) => {
-                for &p in points {
+                for p in points.iter() {
                     write!(out, "0\nPOINT\n8\npoints\n")?;
                     place(out, 10, p)?;
                 }
@@ -39,14 +42,14 @@ pub(super) fn write(out: &mut dyn Write, features: &[Feature]) -> io::Result<()>
     write!(out, "0\nENDSEC\n0\nEOF\n")
 }
 
-fn polyline(out: &mut dyn Write, layer: &str, points: &[DVec2], closed: bool) -> io::Result<()> {
+fn polyline(out: &mut dyn Write, layer: &str, points: &Places<'_>, closed: bool) -> io::Result<()> {
     write!(
         out,
         "0\nPOLYLINE\n8\n{layer}\n66\n1\n70\n{}\n",
         u8::from(closed)
     )?;
     place(out, 10, DVec2::ZERO)?;
-    for &p in points {
+    for p in points.iter() {
         write!(out, "0\nVERTEX\n8\n{layer}\n")?;
         place(out, 10, p)?;
     }

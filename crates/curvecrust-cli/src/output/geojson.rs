@@ -1,28 +1,24 @@
 //! GeoJSON (RFC 7946): a collection of features, one a line.
 
-use super::Shape;
+use super::{Feature, Places, Shape, Streamed};
 use curvecrust::DVec2;
+use curvecrust::geometry::Segment;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use serde_json::{Map, Value};
 use std::io::{self, Write};
 
-/// A shape and what is known about it.
-#[derive(Debug)]
-pub(crate) struct Feature {
-    pub(crate) shape: Shape,
-    pub(crate) properties: Map<String, Value>,
-}
-
-pub(super) fn write(out: &mut dyn Write, features: &[Feature]) -> io::Result<()> {
+pub(super) fn write<'a, P: Serialize>(
+    out: &mut dyn Write,
+    features: impl Iterator<Item = Feature<'a, P>>,
+) -> io::Result<()> {
     write!(out, r#"{{"type":"FeatureCollection","features":["#)?;
-    for (i, feature) in features.iter().enumerate() {
+    for (i, feature) in features.enumerate() {
         write!(out, "{}", if i == 0 { "\n" } else { ",\n" })?;
-        serde_json::to_writer(&mut *out, feature)?;
+        serde_json::to_writer(&mut *out, &feature)?;
     }
     writeln!(out, "\n]}}")
 }
 
-impl Serialize for Feature {
+impl<P: Serialize> Serialize for Feature<'_, P> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(3))?;
         map.serialize_entry("type", "Feature")?;
@@ -32,34 +28,33 @@ impl Serialize for Feature {
     }
 }
 
-impl Serialize for Shape {
+impl Serialize for Shape<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(2))?;
         match self {
             Self::Polygon(rings) => {
                 map.serialize_entry("type", "Polygon")?;
-                let closed = |ring: &Vec<DVec2>| positions(ring.iter().chain(ring.first()));
-                let rings: Vec<_> = rings.iter().map(closed).collect();
-                map.serialize_entry("coordinates", &rings)?;
+                let ring = |ring| Streamed(move || positions(Places::closed(ring)));
+                map.serialize_entry("coordinates", &Streamed(|| rings.iter().map(ring)))?;
             }
             Self::Line(line) => {
                 map.serialize_entry("type", "LineString")?;
-                map.serialize_entry("coordinates", &positions(line))?;
+                map.serialize_entry("coordinates", &Streamed(|| positions(line.iter())))?;
             }
             Self::Points(points) => {
                 map.serialize_entry("type", "MultiPoint")?;
-                map.serialize_entry("coordinates", &positions(points))?;
+                map.serialize_entry("coordinates", &Streamed(|| positions(points.iter())))?;
             }
             Self::Segments(segments) => {
                 map.serialize_entry("type", "MultiLineString")?;
-                let lines = segments.iter().map(|s| positions([&s.a, &s.b]));
-                map.serialize_entry("coordinates", &lines.collect::<Vec<_>>())?;
+                let line = |s: &Segment| [s.a.to_array(), s.b.to_array()];
+                map.serialize_entry("coordinates", &Streamed(|| segments.iter().map(line)))?;
             }
         }
         map.end()
     }
 }
 
-fn positions<'a>(points: impl IntoIterator<Item = &'a DVec2>) -> Vec<[f64; 2]> {
-    points.into_iter().map(|p| p.to_array()).collect()
+fn positions(points: impl Iterator<Item = DVec2>) -> impl Iterator<Item = [f64; 2]> {
+    points.map(|p| p.to_array())
 }

@@ -7,46 +7,46 @@
 mod frame;
 mod lfs;
 
-use super::Number;
+use super::{Number, Places};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::Measured;
 use frame::Frame;
-use std::fmt::Write as _;
+use std::fmt;
 use std::io::{self, Write};
 
 /// A polyline, and whether it is closed.
-pub(crate) type Path = (Vec<DVec2>, bool);
+pub(crate) type Path<'a> = (Places<'a>, bool);
 
 /// What is drawn.
 #[derive(Debug)]
-pub(crate) enum Layer {
+pub(crate) enum Layer<'a> {
     /// A smooth curve.
-    Curve(Curve),
+    Curve(&'a Curve),
     /// A smooth curve, coloured by its local feature size.
-    Lfs(Measured),
+    Lfs(&'a Measured),
     /// The medial axis; what runs out of the picture is cut off.
-    Axis(Vec<Segment>),
+    Axis(&'a [Segment]),
     /// Found edges.
-    Edges(Vec<Path>),
+    Edges(Vec<Path<'a>>),
     /// Sample points.
-    Points(Vec<DVec2>),
+    Points(&'a [DVec2]),
     /// Where the sampling was too sparse.
     Marks {
-        leaves: Vec<DVec2>,
-        isolated: Vec<DVec2>,
-        junctions: Vec<DVec2>,
+        leaves: Places<'a>,
+        isolated: Places<'a>,
+        junctions: Places<'a>,
     },
 }
 
 /// Layers, the first one at the back.
 #[derive(Debug, Default)]
-pub(crate) struct Picture {
-    pub(crate) layers: Vec<Layer>,
+pub(crate) struct Picture<'a> {
+    pub(crate) layers: Vec<Layer<'a>>,
 }
 
-impl Picture {
+impl Picture<'_> {
     pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let frame = Frame::around(self);
         frame.open(out)?;
@@ -57,32 +57,35 @@ impl Picture {
     }
 }
 
-impl Layer {
+impl Layer<'_> {
     fn write(&self, out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
         let pixel = frame.pixel;
         match self {
             Self::Curve(curve) => {
                 open(out, "curve", "#b4b4b4", 5.0 * pixel)?;
-                writeln!(out, r#"<path d="{}"/>"#, curve_data(curve))?;
+                writeln!(out, r#"<path d="{}"/>"#, CurveData(curve))?;
             }
             Self::Lfs(measured) => lfs::write(out, measured, frame)?,
             Self::Axis(segments) => {
                 open(out, "medial-axis", "#3d85d0", 1.5 * pixel)?;
-                let each = segments.iter().map(|s| data(&[s.a, s.b], false));
-                let together = each.collect::<Vec<_>>().join(" ");
-                writeln!(out, r#"<path d="{together}"/>"#)?;
+                write!(out, r#"<path d=""#)?;
+                for (i, s) in segments.iter().enumerate() {
+                    let between = if i == 0 { "" } else { " " };
+                    write!(out, "{between}{}", Data([s.a, s.b].into_iter(), false))?;
+                }
+                writeln!(out, r#""/>"#)?;
             }
             Self::Edges(paths) => {
                 open(out, "edges", "#b3150d", 2.0 * pixel)?;
                 for (points, closed) in paths {
-                    writeln!(out, r#"<path d="{}"/>"#, data(points, *closed))?;
+                    writeln!(out, r#"<path d="{}"/>"#, Data(points.iter(), *closed))?;
                 }
             }
             Self::Points(points) => {
                 // Many points are small, so that they do not melt into each other.
                 let radius = (720.0 / points.len() as f64).clamp(1.0, 4.0) * pixel;
                 writeln!(out, r##"<g id="points" fill="#111">"##)?;
-                for p in points {
+                for p in *points {
                     let (x, y, r) = (Number(p.x), Number(p.y), Number(radius));
                     writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}"/>"#)?;
                 }
@@ -94,8 +97,9 @@ impl Layer {
             } => {
                 open(out, "violations", "#e07b00", 2.5 * pixel)?;
                 for (places, corners) in [(leaves, 24), (isolated, 4), (junctions, 3)] {
-                    for &p in places {
-                        writeln!(out, r#"<path d="{}"/>"#, mark(p, corners, 10.0 * pixel))?;
+                    for p in places.iter() {
+                        let mark = mark(p, corners, 10.0 * pixel);
+                        writeln!(out, r#"<path d="{}"/>"#, Data(mark, true))?;
                     }
                 }
             }
@@ -113,47 +117,50 @@ fn open(out: &mut dyn Write, id: &str, colour: &str, width: f64) -> io::Result<(
     )
 }
 
-/// The path data of a polyline.
-fn data(points: &[DVec2], closed: bool) -> String {
-    let mut data = String::new();
-    for (i, p) in points.iter().enumerate() {
-        let command = match i {
-            0 => "M",
-            1 => " L",
-            _ => "",
-        };
-        // Writing to a string cannot fail.
-        let _ = write!(data, "{command} {} {}", Number(p.x), Number(p.y));
+/// The path data of a polyline, and whether it is closed.
+struct Data<I>(I, bool);
+
+impl<I: Iterator<Item = DVec2> + Clone> fmt::Display for Data<I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(points, closed) = self;
+        for (i, p) in points.clone().enumerate() {
+            let command = match i {
+                0 => "M",
+                1 => " L",
+                _ => "",
+            };
+            write!(f, "{command} {} {}", Number(p.x), Number(p.y))?;
+        }
+        f.write_str(if *closed { " Z" } else { "" })
     }
-    if closed {
-        data += " Z";
-    }
-    data
 }
 
 /// The path data of a smooth curve.
-fn curve_data(curve: &Curve) -> String {
-    let mut data = String::new();
-    for component in curve.components() {
-        for (i, segment) in component.segments().iter().enumerate() {
-            let [p0, p1, p2, p3] = segment.control_points();
-            if i == 0 {
-                let _ = write!(data, "M {} {}", Number(p0.x), Number(p0.y));
+struct CurveData<'a>(&'a Curve);
+
+impl fmt::Display for CurveData<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, component) in self.0.components().iter().enumerate() {
+            let mut start = if i == 0 { "M" } else { " M" };
+            for segment in component.segments() {
+                let [p0, p1, p2, p3] = segment.control_points();
+                if !start.is_empty() {
+                    write!(f, "{start} {} {}", Number(p0.x), Number(p0.y))?;
+                }
+                start = "";
+                let [x1, y1, x2, y2, x3, y3] = [p1.x, p1.y, p2.x, p2.y, p3.x, p3.y].map(Number);
+                write!(f, " C {x1} {y1} {x2} {y2} {x3} {y3}")?;
             }
-            let [x1, y1, x2, y2, x3, y3] = [p1.x, p1.y, p2.x, p2.y, p3.x, p3.y].map(Number);
-            let _ = write!(data, " C {x1} {y1} {x2} {y2} {x3} {y3}");
+            f.write_str(if component.is_closed() { " Z" } else { "" })?;
         }
-        data += if component.is_closed() { " Z " } else { " " };
+        Ok(())
     }
-    data.truncate(data.trim_end().len());
-    data
 }
 
-/// The path data of a regular polygon with a corner at the top.
-fn mark(centre: DVec2, corners: u32, radius: f64) -> String {
-    let corner = |i: u32| {
+/// The corners of a regular polygon, the first at the top.
+fn mark(centre: DVec2, corners: u32, radius: f64) -> impl Iterator<Item = DVec2> + Clone {
+    (0..corners).map(move |i| {
         let angle = std::f64::consts::TAU * (f64::from(i) / f64::from(corners) - 0.25);
         centre + DVec2::from_angle(angle) * radius
-    };
-    data(&(0..corners).map(corner).collect::<Vec<_>>(), true)
+    })
 }

@@ -2,45 +2,71 @@
 
 use super::{Feature, Number, Shape};
 use curvecrust::DVec2;
-use std::fmt::Display;
 use std::io::{self, Write};
 
-pub(super) fn write(out: &mut dyn Write, features: &[Feature]) -> io::Result<()> {
-    let geometries = features.iter().map(|feature| geometry(&feature.shape));
-    match features {
-        [_] => writeln!(out, "{}", joined(geometries, "")),
-        [] => writeln!(out, "GEOMETRYCOLLECTION EMPTY"),
-        _ => writeln!(out, "GEOMETRYCOLLECTION({})", joined(geometries, ",\n")),
+pub(super) fn write<'a, P>(
+    out: &mut dyn Write,
+    features: impl Iterator<Item = Feature<'a, P>>,
+) -> io::Result<()> {
+    let mut shapes = features.map(|feature| feature.shape).peekable();
+    let Some(first) = shapes.next() else {
+        return writeln!(out, "GEOMETRYCOLLECTION EMPTY");
+    };
+    if shapes.peek().is_none() {
+        geometry(out, &first)?;
+        return writeln!(out);
     }
+    write!(out, "GEOMETRYCOLLECTION(")?;
+    geometry(out, &first)?;
+    for shape in shapes {
+        writeln!(out, ",")?;
+        geometry(out, &shape)?;
+    }
+    writeln!(out, ")")
 }
 
-fn geometry(shape: &Shape) -> String {
+fn geometry(out: &mut dyn Write, shape: &Shape<'_>) -> io::Result<()> {
     match shape {
         Shape::Polygon(rings) => {
-            let ring = |ring: &Vec<DVec2>| in_brackets(ring.iter().chain(ring.first()));
-            format!("POLYGON({})", joined(rings.iter().map(ring), ", "))
+            write!(out, "POLYGON")?;
+            listed(out, rings, |out, ring| positions(out, ring.closed()))
         }
-        Shape::Line(line) => format!("LINESTRING{}", in_brackets(line)),
-        Shape::Points(points) if points.is_empty() => String::from("MULTIPOINT EMPTY"),
+        Shape::Line(line) => {
+            write!(out, "LINESTRING")?;
+            positions(out, line.iter())
+        }
         Shape::Points(points) => {
-            let points = points.iter().map(|p| in_brackets([p]));
-            format!("MULTIPOINT({})", joined(points, ", "))
+            write!(out, "MULTIPOINT")?;
+            listed(out, points.iter(), |out, p| positions(out, [p]))
         }
-        Shape::Segments(segments) if segments.is_empty() => String::from("MULTILINESTRING EMPTY"),
         Shape::Segments(segments) => {
-            let segments = segments.iter().map(|s| in_brackets([&s.a, &s.b]));
-            format!("MULTILINESTRING({})", joined(segments, ", "))
+            write!(out, "MULTILINESTRING")?;
+            listed(out, *segments, |out, s| positions(out, [s.a, s.b]))
         }
     }
 }
 
-fn in_brackets<'a>(points: impl IntoIterator<Item = &'a DVec2>) -> String {
-    let points = points.into_iter();
-    let pairs = points.map(|p| format!("{} {}", Number(p.x), Number(p.y)));
-    format!("({})", joined(pairs, ", "))
+fn positions(out: &mut dyn Write, points: impl IntoIterator<Item = DVec2>) -> io::Result<()> {
+    listed(out, points, |out, p| {
+        write!(out, "{} {}", Number(p.x), Number(p.y))
+    })
 }
 
-fn joined(parts: impl IntoIterator<Item = impl Display>, between: &str) -> String {
-    let parts: Vec<String> = parts.into_iter().map(|part| part.to_string()).collect();
-    parts.join(between)
+/// Items in brackets, or `EMPTY`.
+fn listed<T>(
+    out: &mut dyn Write,
+    items: impl IntoIterator<Item = T>,
+    write_item: impl Fn(&mut dyn Write, T) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut items = items.into_iter();
+    let Some(first) = items.next() else {
+        return write!(out, " EMPTY");
+    };
+    write!(out, "(")?;
+    write_item(out, first)?;
+    for item in items {
+        write!(out, ", ")?;
+        write_item(out, item)?;
+    }
+    write!(out, ")")
 }

@@ -10,6 +10,8 @@ mod curves;
 mod docs;
 mod formats;
 mod harness;
+#[cfg(target_os = "linux")]
+mod memory;
 mod python;
 mod reconstruct;
 mod sample;

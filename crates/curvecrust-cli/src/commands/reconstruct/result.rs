@@ -1,75 +1,93 @@
 //! A reconstruction as tables, objects and shapes.
 
 use super::BarePoints;
-use super::polygons::{Polygon, polygons};
-use crate::output::{Feature, Number, Path, Shape};
-use curvecrust::DVec2;
-use curvecrust::geometry::{Chain, PointId};
-use curvecrust::reconstruct::Reconstruction;
-use serde::Serialize;
-use serde_json::{Map, Value, json};
+use super::polygons::{Ring, rings};
+use crate::output::{Feature, Number, Path, Places, Shape, Streamed};
+use curvecrust::geometry::{Chain, PointId, PointSet};
+use curvecrust::reconstruct::{NestedChain, Reconstruction};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// What was found, in terms of the rows of the input.
 pub(super) struct Found<'a> {
+    pub(super) algorithm: &'a str,
     pub(super) bare: &'a BarePoints,
     pub(super) curves: Reconstruction,
 }
 
-/// What `--json` prints; the schema is stable, and in `docs/formats.md`. Points are known by their
-/// position in `points`.
-#[derive(Debug, Serialize)]
-pub(super) struct Object<'a> {
-    algorithm: &'a str,
-    points: Vec<[f64; 2]>,
-    edges: Vec<[u32; 2]>,
-    rings: Vec<Ring>,
-    open_chains: Vec<Vec<u32>>,
-    leaves: Vec<u32>,
-    isolated: Vec<u32>,
-    junctions: Vec<u32>,
-    duplicates: Vec<Duplicate>,
+/// The rows of some points.
+struct Rows<'a> {
+    bare: &'a BarePoints,
+    ids: Cow<'a, [PointId]>,
 }
 
-#[derive(Debug, Serialize)]
-struct Ring {
-    points: Vec<u32>,
+/// What GeoJSON tells about a shape, beside its places.
+#[derive(serde::Serialize)]
+pub(super) struct Properties<'a> {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nesting: Option<u32>,
+    points: Numbers<'a>,
+}
+
+/// The rows of the places of a shape, in their order.
+#[derive(serde::Serialize)]
+#[serde(untagged)]
+enum Numbers<'a> {
+    Of(Rows<'a>),
+    OfRings(Vec<Rows<'a>>),
+}
+
+#[derive(serde::Serialize)]
+struct RingObject<'a> {
+    points: Rows<'a>,
     nesting: u32,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(serde::Serialize)]
 struct Duplicate {
     point: u32,
     same_as: u32,
 }
 
-impl Found<'_> {
-    pub(super) fn object<'a>(&self, algorithm: &'a str) -> Object<'a> {
-        let edges = self.curves.edges().edges().iter();
-        let chains = self.curves.chains().iter();
-        let rings = chains.clone().filter_map(|chain| {
-            Some(Ring {
-                points: self.rows(chain.chain.vertices()),
-                nesting: chain.nesting?,
+/// The object that `--json` prints; its schema is stable, and in `docs/formats.md`. Points are known by
+/// their position in `points`.
+impl Serialize for Found<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let edges = || {
+            let edges = self.curves.edges().edges().iter();
+            edges.map(|edge| edge.ends().map(|v| self.bare.row(v)))
+        };
+        let rings = || {
+            self.curves.chains().iter().filter_map(|chain| {
+                Some(RingObject {
+                    points: self.rows(chain.chain.vertices()),
+                    nesting: chain.nesting?,
+                })
             })
-        });
-        let open = chains.filter(|chain| chain.nesting.is_none());
-        let duplicates = self.bare.duplicates();
-        Object {
-            algorithm,
-            points: self.bare.rows().map(|p| p.to_array()).collect(),
-            edges: edges.map(|e| e.ends().map(|v| self.bare.row(v))).collect(),
-            rings: rings.collect(),
-            open_chains: open.map(|c| self.rows(c.chain.vertices())).collect(),
-            leaves: self.rows(&self.curves.leaves()),
-            isolated: self.rows(&self.curves.isolated()),
-            junctions: self.rows(&self.curves.junctions()),
-            duplicates: duplicates
-                .map(|[point, same_as]| Duplicate { point, same_as })
-                .collect(),
-        }
+        };
+        let open = || self.open().map(|chain| self.rows(chain.chain.vertices()));
+        let duplicates = || {
+            let pairs = self.bare.duplicates();
+            pairs.map(|[point, same_as]| Duplicate { point, same_as })
+        };
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("algorithm", self.algorithm)?;
+        let points = Streamed(|| self.bare.rows().map(|p| p.to_array()));
+        object.serialize_entry("points", &points)?;
+        object.serialize_entry("edges", &Streamed(edges))?;
+        object.serialize_entry("rings", &Streamed(rings))?;
+        object.serialize_entry("open_chains", &Streamed(open))?;
+        object.serialize_entry("leaves", &self.rows(self.curves.leaves()))?;
+        object.serialize_entry("isolated", &self.rows(self.curves.isolated()))?;
+        object.serialize_entry("junctions", &self.rows(self.curves.junctions()))?;
+        object.serialize_entry("duplicates", &Streamed(duplicates))?;
+        object.end()
     }
+}
 
+impl Found<'_> {
     /// One line a point, chain by chain in order; a point where chains meet has one in each. Points
     /// without an edge come last, without a chain.
     pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -95,70 +113,94 @@ impl Found<'_> {
     }
 
     /// Rings as polygons with holes, then open chains, then points without an edge.
-    pub(super) fn features(&self) -> Vec<Feature> {
-        let chains = self.curves.chains();
-        let polygons = polygons(&self.bare.points, &self.curves);
-        let rings = polygons.iter().map(|polygon| self.polygon(polygon));
-        let open = chains.iter().filter(|chain| chain.nesting.is_none());
-        let lines = open.map(|chain| Feature {
-            shape: Shape::Line(self.places(chain.chain.vertices())),
-            properties: properties("open", json!(self.rows(chain.chain.vertices()))),
+    pub(super) fn features<'a>(
+        &'a self,
+        rings: &'a [Ring],
+    ) -> impl Iterator<Item = Feature<'a, Properties<'a>>> {
+        let polygons = rings.chunk_by(|a, b| a.outside == b.outside);
+        let polygons = polygons.map(|rings| self.polygon(rings));
+        let lines = self.open().map(|chain| {
+            let ids = chain.chain.vertices();
+            Feature {
+                shape: Shape::Line(self.places(ids)),
+                properties: Properties {
+                    kind: "open",
+                    nesting: None,
+                    points: Numbers::Of(self.rows(ids)),
+                },
+            }
         });
         let isolated = self.curves.isolated();
         let points = (!isolated.is_empty()).then(|| Feature {
-            shape: Shape::Points(self.places(&isolated)),
-            properties: properties("isolated", json!(self.rows(&isolated))),
+            shape: Shape::Points(self.places(isolated.clone())),
+            properties: Properties {
+                kind: "isolated",
+                nesting: None,
+                points: Numbers::Of(self.rows(isolated)),
+            },
         });
-        rings.chain(lines).chain(points).collect()
+        polygons.chain(lines).chain(points)
     }
 
-    fn polygon(&self, polygon: &Polygon) -> Feature {
+    /// The rings, as [`features`](Self::features) takes them.
+    pub(super) fn rings(&self) -> Vec<Ring> {
+        rings(&self.curves)
+    }
+
+    /// A polygon of its outside and its holes.
+    fn polygon(&self, rings: &[Ring]) -> Feature<'_, Properties<'_>> {
         let chains = self.curves.chains();
-        let outside = chains[polygon.outside].chain.clone();
-        // Rings run counter-clockwise, holes have to run clockwise.
-        let holes = polygon
-            .holes
-            .iter()
-            .map(|&i| chains[i].chain.clone().reversed());
-        let rings: Vec<Chain> = std::iter::once(outside).chain(holes).collect();
-        let rows: Vec<_> = rings
-            .iter()
-            .map(|ring| self.rows(ring.vertices()))
-            .collect();
-        let nesting = chains[polygon.outside].nesting;
-        let mut properties = properties("ring", json!(rows));
-        properties.insert(String::from("nesting"), json!(nesting));
-        let rings = rings.iter().map(|ring| self.places(ring.vertices()));
+        let nesting = rings.first().and_then(|ring| chains[ring.outside].nesting);
+        let rings = || {
+            rings.iter().map(|ring| match ring.hole {
+                None => Cow::Borrowed(chains[ring.outside].chain.vertices()),
+                // Rings run counter-clockwise, holes have to run clockwise.
+                Some(hole) => {
+                    let mut ids = chains[hole].chain.vertices().to_vec();
+                    ids[1..].reverse();
+                    Cow::Owned(ids)
+                }
+            })
+        };
         Feature {
-            shape: Shape::Polygon(rings.collect()),
-            properties,
+            shape: Shape::Polygon(rings().map(|ids| self.places(ids)).collect()),
+            properties: Properties {
+                kind: "ring",
+                nesting,
+                points: Numbers::OfRings(rings().map(|ids| self.rows(ids)).collect()),
+            },
         }
     }
 
-    fn rows(&self, vertices: &[PointId]) -> Vec<u32> {
-        vertices.iter().map(|&v| self.bare.row(v)).collect()
+    /// The chains that are no rings.
+    fn open(&self) -> impl Iterator<Item = &NestedChain> {
+        let chains = self.curves.chains().iter();
+        chains.filter(|chain| chain.nesting.is_none())
     }
 
-    fn places(&self, vertices: &[PointId]) -> Vec<DVec2> {
-        vertices.iter().map(|&v| self.bare.points[v]).collect()
+    fn rows<'a>(&'a self, ids: impl Into<Cow<'a, [PointId]>>) -> Rows<'a> {
+        Rows {
+            bare: self.bare,
+            ids: ids.into(),
+        }
+    }
+
+    fn places<'a>(&'a self, ids: impl Into<Cow<'a, [PointId]>>) -> Places<'a> {
+        Places::named(&self.bare.points, ids)
     }
 }
 
-fn properties(kind: &str, points: Value) -> Map<String, Value> {
-    let mut properties = Map::new();
-    properties.insert(String::from("kind"), json!(kind));
-    properties.insert(String::from("points"), points);
-    properties
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.ids.iter().map(|&id| self.bare.row(id)))
+    }
 }
 
 /// Every chain as a polyline.
-pub(crate) fn paths(bare: &BarePoints, curves: &Reconstruction) -> Vec<Path> {
-    let place = |&v: &PointId| bare.points[v];
-    let path = |chain: &Chain| {
-        (
-            chain.vertices().iter().map(place).collect(),
-            chain.is_closed(),
-        )
+pub(crate) fn paths<'a>(points: &'a PointSet, curves: &'a Reconstruction) -> Vec<Path<'a>> {
+    let path = |chain: &'a Chain| {
+        let places = Places::named(points, chain.vertices());
+        (places, chain.is_closed())
     };
     let chains = curves.chains().iter();
     chains.map(|chain| path(&chain.chain)).collect()

@@ -23,7 +23,7 @@ const MARGIN: f64 = 24.0;
 pub(super) const LEGEND: f64 = 48.0;
 
 impl Frame {
-    pub(super) fn around(picture: &Picture) -> Self {
+    pub(super) fn around(picture: &Picture<'_>) -> Self {
         let (low, high) = picture
             .layers
             .iter()
@@ -41,7 +41,7 @@ impl Frame {
             (DVec2::ZERO, DVec2::ONE)
         };
         let pixel = extent.max_element() / SIZE;
-        let has_legend = |layer: &Layer| matches!(layer, Layer::Lfs(_));
+        let has_legend = |layer: &Layer<'_>| matches!(layer, Layer::Lfs(_));
         let below = if picture.layers.iter().any(has_legend) {
             LEGEND
         } else {
@@ -72,11 +72,11 @@ impl Frame {
 }
 
 /// The points of a layer that have to be in the picture.
-fn framed(layer: &Layer) -> Box<dyn Iterator<Item = DVec2> + '_> {
+fn framed<'a>(layer: &'a Layer<'_>) -> Box<dyn Iterator<Item = DVec2> + 'a> {
     match layer {
         Layer::Curve(curve) => Box::new(<[DVec2; 2]>::from(curve.bounding_box()).into_iter()),
         Layer::Lfs(measured) => Box::new(measured.dense().points().iter().copied()),
-        Layer::Edges(paths) => Box::new(paths.iter().flat_map(|path| &path.0).copied()),
+        Layer::Edges(paths) => Box::new(paths.iter().flat_map(|path| path.0.iter())),
         Layer::Points(points) => Box::new(points.iter().copied()),
         Layer::Axis(_) | Layer::Marks { .. } => Box::new(std::iter::empty()),
     }

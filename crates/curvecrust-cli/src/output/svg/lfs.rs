@@ -1,7 +1,7 @@
 //! A curve in the colours of its local feature size, on a logarithmic scale, with a legend.
 
 use super::frame::{Frame, LEGEND};
-use super::{data, open};
+use super::{Data, open};
 use crate::output::Number;
 use curvecrust::DVec2;
 use curvecrust::medial_axis::Measured;
@@ -62,7 +62,7 @@ pub(super) fn write(out: &mut dyn Write, measured: &Measured, frame: &Frame) -> 
                 writeln!(
                     out,
                     r#"<path stroke="{colour}" d="{}"/>"#,
-                    data(&stretch, false)
+                    Data(stretch.iter().copied(), false)
                 )?;
                 stretch.clear();
                 start = i + 1;
