@@ -59,6 +59,9 @@ pub(crate) struct Sample {
     /// How to choose among the samplings that satisfy the condition
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Count::Fewest)]
     pub(crate) count: Count,
+    /// What to do where a curve has corners
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Refuse)]
+    pub(crate) corners: Corners,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout
@@ -305,6 +308,15 @@ pub(crate) enum Count {
     Greedy,
     /// Fewer than the condition asks for: as few as HNN-Crust still reconstructs, without a guarantee
     Verified,
+}
+
+/// What is done with corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Corners {
+    /// Refuse them, naming each
+    Refuse,
+    /// Sample every smooth piece by itself, with the corners as samples; no theorem covers them
+    Split,
 }
 
 /// A length, or a share of the extent of a curve.

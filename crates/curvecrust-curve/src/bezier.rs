@@ -155,6 +155,15 @@ impl CubicBezier {
         Self::new([p3, p2, p1, p0])
     }
 
+    /// The segment up to t = 1/2, and from there.
+    pub(crate) fn halves(&self) -> [Self; 2] {
+        let [p0, p1, p2, p3] = self.control;
+        let [a, b, c] = [p0.midpoint(p1), p1.midpoint(p2), p2.midpoint(p3)];
+        let (ab, bc) = (a.midpoint(b), b.midpoint(c));
+        let middle = ab.midpoint(bc);
+        [[p0, a, ab, middle], [middle, bc, c, p3]].map(Self::new)
+    }
+
     pub(crate) fn map(&self, f: impl Fn(DVec2) -> DVec2) -> Self {
         Self::new(self.control.map(f))
     }

@@ -4,7 +4,7 @@ use curvecrust_geometry::PointSet;
 use glam::DVec2;
 
 use crate::bezier::CubicBezier;
-use crate::error::CurveError;
+use crate::error::{Corner, CurveError};
 use crate::{component::Component, path_data, smooth, svg};
 
 /// A place on a [`Curve`]; ordered along the curve.
@@ -48,7 +48,7 @@ pub struct CurveParam {
 /// assert!(!arch.components()[0].is_closed());
 ///
 /// let hook = Curve::from_path_data("M 0 0 H 1 V 1");
-/// assert!(matches!(hook, Err(CurveError::Corner { segment: 1, .. })));
+/// assert!(matches!(hook, Err(CurveError::Corners(corners)) if corners[0].segment == 1));
 /// # Ok::<(), CurveError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -63,22 +63,21 @@ impl Curve {
     /// as 0, and straight segments without handles get those of [`CubicBezier::line`].
     ///
     /// # Errors
-    /// The first component, in it the first segment or join, that breaks a guarantee; or
-    /// [`CurveError::Empty`].
+    /// The first component, in it the first segment or join, that breaks a guarantee;
+    /// [`CurveError::Empty`]; or, if all else is well, [`CurveError::Corners`] with every corner, which
+    /// [`SplitCurve`](crate::SplitCurve) takes.
     pub fn new(components: Vec<Component>) -> Result<Self, CurveError> {
-        if components.is_empty() {
-            return Err(CurveError::Empty);
+        let (components, corners) = checked(&components)?;
+        if corners.is_empty() {
+            Ok(Self { components })
+        } else {
+            Err(CurveError::Corners(corners))
         }
-        let check = |(index, component): (usize, Component)| {
-            let mut segments = validated(index, &component)?;
-            smooth::smooth_joins(index, &mut segments, component.is_closed())?;
-            smooth::check_cusps(index, &segments)?;
-            Ok(Component::new(segments, component.is_closed()))
-        };
-        let components = components.into_iter().enumerate().map(check);
-        Ok(Self {
-            components: components.collect::<Result<_, _>>()?,
-        })
+    }
+
+    /// Components that are smooth already.
+    pub(crate) fn of_pieces(components: Vec<Component>) -> Self {
+        Self { components }
     }
 
     /// The curve of an SVG path string (the `d` attribute), in double precision.
@@ -104,7 +103,7 @@ impl Curve {
     /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what [`Curve::new`]
     /// finds, or any of these as [`CurveError::InElement`] where one element is at fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        svg::parse(document)
+        svg::parse(document, Self::new)
     }
 
     /// The components, in the order in which they were given.
@@ -158,6 +157,28 @@ pub(crate) fn bounds<'a>(segments: impl IntoIterator<Item = &'a CubicBezier>) ->
         .into_iter()
         .map(CubicBezier::bounding_box)
         .fold(empty, |a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// Components that are sound and smooth but for the corners.
+pub(crate) fn checked(
+    components: &[Component],
+) -> Result<(Vec<Component>, Vec<Corner>), CurveError> {
+    if components.is_empty() {
+        return Err(CurveError::Empty);
+    }
+    let mut corners = Vec::new();
+    let mut check = |(index, component): (usize, &Component)| {
+        let mut segments = validated(index, component)?;
+        corners.extend(smooth::smooth_joins(
+            index,
+            &mut segments,
+            component.is_closed(),
+        )?);
+        smooth::check_cusps(index, &segments)?;
+        Ok(Component::new(segments, component.is_closed()))
+    };
+    let components = components.iter().enumerate().map(&mut check);
+    Ok((components.collect::<Result<_, _>>()?, corners))
 }
 
 /// The segments of a component, once their coordinates and ends are known to be sound.

@@ -66,22 +66,12 @@ pub enum CurveError {
         /// Where the segment before it ends.
         end: DVec2,
     },
-    /// Two segments meet at an angle.
+    /// Segments meet at angles; every such place is named, in the order of the curve.
     #[error(
-        "component {component} has a corner of {angle_deg:.3} degrees at the start of segment \
-         {segment}, at ({}, {}): curves must be smooth, so round it off",
-        at.x, at.y
+        "{}: curves must be smooth, so round {} off, or split the curve there",
+        Corner::list(.0), if .0.len() == 1 { "it" } else { "them" }
     )]
-    Corner {
-        /// Index of the component.
-        component: usize,
-        /// Index of the segment that starts at the corner.
-        segment: usize,
-        /// The angle between the tangents, in degrees; 0 is smooth.
-        angle_deg: f64,
-        /// The corner.
-        at: DVec2,
-    },
+    Corners(Vec<Corner>),
     /// Two segments meet at a small angle, and neither can be turned, since each has a handle of
     /// length zero.
     #[error(
@@ -168,6 +158,53 @@ pub enum CurveError {
     },
 }
 
+/// So many corners are named in a message.
+const NAMED: usize = 100;
+
+/// Where two segments meet at an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner {
+    /// Index of the component.
+    pub component: usize,
+    /// Index of the segment that starts at the corner.
+    pub segment: usize,
+    /// The angle between the tangents, in degrees; 0 is smooth.
+    pub angle_deg: f64,
+    /// The corner.
+    pub at: DVec2,
+}
+
+impl Corner {
+    /// Corners in words, for a message; of very many the first ones.
+    #[must_use]
+    pub fn list(corners: &[Self]) -> String {
+        let mut text = String::new();
+        let mut last = None;
+        for corner in corners.iter().take(NAMED) {
+            let Self {
+                component,
+                segment,
+                angle_deg,
+                at,
+            } = corner;
+            text += &match last {
+                None => format!("component {component} has a corner"),
+                Some(last) if last == component => String::from(", one"),
+                Some(_) => format!("; component {component} one"),
+            };
+            text += &format!(
+                " of {angle_deg:.3} degrees at the start of segment {segment}, at ({}, {})",
+                at.x, at.y
+            );
+            last = Some(component);
+        }
+        if corners.len() > NAMED {
+            text += &format!("; and {} more", corners.len() - NAMED);
+        }
+        text
+    }
+}
+
 impl CurveError {
     /// The component at fault, if it is one.
     pub(crate) fn component(&self) -> Option<usize> {
@@ -176,9 +213,13 @@ impl CurveError {
             | Self::NotFinite { component, .. }
             | Self::Magnitude { component, .. }
             | Self::Gap { component, .. }
-            | Self::Corner { component, .. }
             | Self::NoHandle { component, .. }
             | Self::Cusp { component, .. } => Some(component),
+            Self::Corners(ref corners) => {
+                let (first, rest) = corners.split_first()?;
+                let together = rest.iter().all(|c| c.component == first.component);
+                together.then_some(first.component)
+            }
             _ => None,
         }
     }

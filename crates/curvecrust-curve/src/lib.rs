@@ -5,12 +5,13 @@
 //! | module | types | what they promise |
 //! |---|---|---|
 //! | [`curve`] | [`Curve`], [`CurveParam`] | smooth, finite, every join exactly tangent |
+//! | [`split`] | [`SplitCurve`], [`SplitComponent`] | curves with corners, as smooth pieces |
 //! | [`component`] | [`Component`] | one open or closed chain |
 //! | [`bezier`] | [`CubicBezier`] | points, derivatives, tangents |
 //! | [`dense`] | [`DenseCurve`] | dense points with their parameters, in curve order |
 //! | [`svg`] | | what is read from documents, and what is refused |
 //! | [`analytic`] | [`analytic::Ellipse`], ... | dense points and local feature size in closed form |
-//! | [`error`] | [`CurveError`], [`DenseError`], [`AnalyticError`] | the place, and what to do |
+//! | [`error`] | [`CurveError`], [`Corner`], [`DenseError`], [`AnalyticError`] | the place, and what to do |
 //!
 //! Points are [`glam::DVec2`].
 
@@ -22,10 +23,12 @@ pub mod dense;
 pub mod error;
 mod path_data;
 mod smooth;
+pub mod split;
 pub mod svg;
 
 pub use bezier::CubicBezier;
 pub use component::Component;
 pub use curve::{Curve, CurveParam};
 pub use dense::{DENSE_LIMIT, DenseComponent, DenseCurve};
-pub use error::{AnalyticError, CurveError, DenseError};
+pub use error::{AnalyticError, Corner, CurveError, DenseError};
+pub use split::{SplitComponent, SplitCurve};

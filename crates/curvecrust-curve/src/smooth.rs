@@ -4,7 +4,7 @@ use glam::DVec2;
 use kurbo::common::solve_cubic;
 
 use crate::bezier::CubicBezier;
-use crate::error::CurveError;
+use crate::error::{Corner, CurveError};
 
 /// Joins below this angle are made smooth, others are corners.
 const CORNER_DEGREES: f64 = 1.0;
@@ -61,12 +61,13 @@ fn cusp(bezier: &CubicBezier) -> Option<f64> {
         .find(|&t| (a + 2.0 * q * t + r * t * t).length() < CUSP_SPEED)
 }
 
-/// Refuses corners, and turns the handles at all other joins into one line.
+/// Finds the corners, and turns the handles at all other joins into one line.
 pub(crate) fn smooth_joins(
     component: usize,
     segments: &mut [CubicBezier],
     closed: bool,
-) -> Result<(), CurveError> {
+) -> Result<Vec<Corner>, CurveError> {
+    let mut corners = Vec::new();
     for bezier in segments.iter_mut() {
         give_handles_to_straight(bezier);
     }
@@ -78,12 +79,13 @@ pub(crate) fn smooth_joins(
         let angle = angle_between(incoming.end_handle(), outgoing.start_handle());
         let angle_deg = angle.to_degrees();
         if angle_deg >= CORNER_DEGREES {
-            return Err(CurveError::Corner {
+            corners.push(Corner {
                 component,
                 segment,
                 angle_deg,
                 at,
             });
+            continue;
         }
         if angle <= SMOOTH {
             continue;
@@ -106,7 +108,7 @@ pub(crate) fn smooth_joins(
             segments[segment] = turned_start(&segments[segment], direction);
         }
     }
-    Ok(())
+    Ok(corners)
 }
 
 /// A segment whose handles both have no length is straight; it gets the handles of a line.

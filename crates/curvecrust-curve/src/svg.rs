@@ -28,7 +28,6 @@ use usvg::tiny_skia_path::{PathSegment, Point};
 use usvg::{ImageHrefResolver, Options, Tree};
 
 use crate::component::Component;
-use crate::curve::Curve;
 use crate::dense::DENSE_LIMIT;
 use crate::error::CurveError;
 use crate::path_data::Pen;
@@ -51,8 +50,11 @@ const SHOW_SHAPES: &str = "* {
     filter: none !important; overflow: visible !important; background-color: black !important;
 }";
 
-/// The curves of a document.
-pub(crate) fn parse(text: &str) -> Result<Curve, CurveError> {
+/// What `make` makes of the components of a document.
+pub(crate) fn parse<T>(
+    text: &str,
+    make: impl FnOnce(Vec<Component>) -> Result<T, CurveError>,
+) -> Result<T, CurveError> {
     let document = parse_xml(text)?;
     let root = document.root_element();
     if !root.has_tag_name((SVG, "svg")) {
@@ -72,7 +74,7 @@ pub(crate) fn parse(text: &str) -> Result<Curve, CurveError> {
         drawing.collect(page.children(), DAffine2::IDENTITY)?;
     }
     let (nodes, components): (Vec<_>, Vec<_>) = drawing.components.into_iter().unzip();
-    Curve::new(components).map_err(|error| match error.component().and_then(|c| nodes.get(c)) {
+    make(components).map_err(|error| match error.component().and_then(|c| nodes.get(c)) {
         Some(&Some(node)) => error.within(label(node)),
         _ => error,
     })

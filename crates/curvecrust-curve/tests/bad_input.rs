@@ -165,11 +165,11 @@ const PATHS: &[(&str, &str)] = &[
     ("M0 0H1 M2 2Z", "component 1 has no length: remove it"),
     (
         "M 0 0 H 1 V 1",
-        "component 0 has a corner of 90.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round it off",
+        "component 0 has a corner of 90.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round it off, or split the curve there",
     ),
     (
         "M 0 0 H 1 V 1 H 0 Z",
-        "component 0 has a corner of 90.000 degrees at the start of segment 0, at (0, 0): curves must be smooth, so round it off",
+        "component 0 has a corner of 90.000 degrees at the start of segment 0, at (0, 0), one of 90.000 degrees at the start of segment 1, at (1, 0), one of 90.000 degrees at the start of segment 2, at (1, 1), one of 90.000 degrees at the start of segment 3, at (0, 1): curves must be smooth, so round them off, or split the curve there",
     ),
     (
         "M0 0 C 1 1 0 1 1 0",
@@ -177,7 +177,7 @@ const PATHS: &[(&str, &str)] = &[
     ),
     (
         "M0 0 H1 H0",
-        "component 0 has a corner of 180.000 degrees at the start of segment 0, at (0, 0): curves must be smooth, so round it off",
+        "component 0 has a corner of 180.000 degrees at the start of segment 0, at (0, 0), one of 180.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round them off, or split the curve there",
     ),
     (
         "M-3 0C-2 .1 0 0 0 0 0 0 2-.11 3 0",
@@ -198,15 +198,15 @@ const CONTENTS: &[(&str, &str)] = &[
     ),
     (
         "<g>\n<path id='q' d='M0 0 H1 V1'/></g>",
-        r#"<path id="q"> in line 3: component 0 has a corner of 90.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round it off"#,
+        r#"<path id="q"> in line 3: component 0 has a corner of 90.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round it off, or split the curve there"#,
     ),
     (
         "<rect id='r' width='3' height='2'/>",
-        r#"<rect id="r"> in line 2: component 0 has a corner of 90.000 degrees at the start of segment 0, at (0, 0): curves must be smooth, so round it off"#,
+        r#"<rect id="r"> in line 2: component 0 has a corner of 90.000 degrees at the start of segment 0, at (0, 0), one of 90.000 degrees at the start of segment 1, at (3, 0), one of 90.000 degrees at the start of segment 2, at (3, 2), one of 90.000 degrees at the start of segment 3, at (0, 2): curves must be smooth, so round them off, or split the curve there"#,
     ),
     (
         "<path d='M0 0h1'/><rect width='3' height='2'/>",
-        "component 1 has a corner of 90.000 degrees at the start of segment 0, at (0, 0): curves must be smooth, so round it off",
+        "component 1 has a corner of 90.000 degrees at the start of segment 0, at (0, 0), one of 90.000 degrees at the start of segment 1, at (3, 0), one of 90.000 degrees at the start of segment 2, at (3, 2), one of 90.000 degrees at the start of segment 3, at (0, 2): curves must be smooth, so round them off, or split the curve there",
     ),
     (
         "<rect width='3'/>",

@@ -195,10 +195,10 @@ fn arcs_of_every_scale() {
         let d = format!("M0 0 A{scale} {scale} 0 0 1 0 {} Z", 2.0 * scale);
         // A half disc has corners, and says so whatever its size.
         let error = Curve::from_path_data(&d).unwrap_err();
-        let CurveError::Corner { angle_deg, .. } = error else {
+        let CurveError::Corners(corners) = error else {
             panic!("{error}");
         };
-        assert_relative_eq!(angle_deg, 90.0, epsilon = 1e-6);
+        assert_relative_eq!(corners[0].angle_deg, 90.0, epsilon = 1e-6);
     }
 }
 

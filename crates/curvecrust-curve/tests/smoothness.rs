@@ -82,16 +82,30 @@ fn joins_below_one_degree_become_smooth_with_ends_and_lengths_kept() {
 fn joins_from_one_degree_on_are_corners() {
     for degrees in [1.01, -45.0, 90.0, 179.0] {
         let error = Curve::new(vec![Component::new(bent(degrees), false)]).unwrap_err();
-        let CurveError::Corner {
-            component: 0,
-            segment: 1,
-            angle_deg,
-            at: DVec2::ZERO,
-        } = error
-        else {
+        let CurveError::Corners(corners) = error else {
             panic!("{error}");
         };
-        assert_relative_eq!(angle_deg, degrees.abs(), epsilon = 1e-9);
+        let [corner] = corners[..] else {
+            panic!("{corners:?}");
+        };
+        assert_eq!((corner.component, corner.segment), (0, 1));
+        assert_eq!(corner.at, DVec2::ZERO);
+        assert_relative_eq!(corner.angle_deg, degrees.abs(), epsilon = 1e-9);
+    }
+}
+
+#[test]
+fn every_corner_is_named() {
+    let error = Curve::from_path_data("M0 0 H 4 V 3 Z M 10 0 C 10 4 16 4 16 0 M 20 0 H 21 V 1")
+        .unwrap_err();
+    let CurveError::Corners(corners) = &error else {
+        panic!("{error}");
+    };
+    let places: Vec<_> = corners.iter().map(|c| (c.component, c.segment)).collect();
+    assert_eq!(places, [(0, 0), (0, 1), (0, 2), (2, 1)]);
+    let text = error.to_string();
+    for place in ["at (0, 0)", "at (4, 0)", "at (4, 3)", "at (21, 0)"] {
+        assert!(text.contains(place), "{text}");
     }
 }
 
@@ -205,7 +219,7 @@ fn a_lone_closed_segment_must_be_smooth_where_it_closes() {
     let drop = "M0 0 C 2 1 2 -1 0 0 Z";
     let error = Curve::from_path_data(drop).unwrap_err();
     assert!(
-        matches!(error, CurveError::Corner { segment: 0, .. }),
+        matches!(&error, CurveError::Corners(corners) if corners[0].segment == 0),
         "{error}"
     );
     // A cubic alone has its ends in line only if it is a loop that turns by 180 degrees or more;

@@ -61,6 +61,10 @@ impl Measured {
         Ok(Self { dense, lfs })
     }
 
+    pub(crate) fn from_parts(dense: DenseCurve, lfs: LocalFeatureSize) -> Self {
+        Self { dense, lfs }
+    }
+
     fn by_shrinking_balls(dense: DenseCurve) -> Self {
         let lfs = shrinking_ball::lfs(&dense);
         Self { dense, lfs }
@@ -89,7 +93,7 @@ const AXIS_GAPS: f64 = 4.0;
 /// ... but at most this fraction of their lfs: its error falls with the square of their gap.
 const AXIS_RATIO: f64 = 0.05;
 /// Curves nearer than this fraction of their extent count as touching.
-const TOUCHING: f64 = 1e-7;
+pub(crate) const TOUCHING: f64 = 1e-7;
 /// Rounds in which gaps that another part of the curve spans may remain most of all: curves that
 /// lie on each other would be refined without end.
 const OVERLAP_ROUNDS: usize = 6;
@@ -121,31 +125,45 @@ pub fn measure(
 
 /// Splits gaps until none is longer than `ratio` of the lfs at its ends.
 fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
-    if !(ratio > 0.0 && ratio <= 1.0) {
-        return Err(MedialAxisError::GapToLfs(ratio));
-    }
-    let axis_ratio = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
-    let (mut axis, mut dense, mut lfs) = refine_axis(curve, axis_ratio)?;
-    let centres = curvature::centres_at_joins(curve, &dense, axis_ratio);
-    if !centres.is_empty() {
-        axis.extend(centres);
-        lfs = LocalFeatureSize::new(&dense, &axis);
-    }
+    let (axis, dense) = refine_axis(curve, ratio)?;
+    settle(curve, dense, ratio, |dense| {
+        Ok(LocalFeatureSize::new(dense, &axis))
+    })
+}
+
+/// Splits gaps until none is longer than `ratio` of what `lfs` finds at its ends.
+pub(crate) fn settle(
+    curve: &Curve,
+    mut dense: DenseCurve,
+    ratio: f64,
+    lfs: impl Fn(&DenseCurve) -> Result<LocalFeatureSize, MedialAxisError>,
+) -> Result<Measured, MedialAxisError> {
     loop {
-        let pieces = pieces(curve, &dense, &lfs, ratio);
+        let found = lfs(&dense)?;
+        let pieces = pieces(curve, &dense, &found, ratio);
         if pieces.iter().all(|&n| n == 1) {
-            return Ok(Measured { dense, lfs });
+            return Ok(Measured { dense, lfs: found });
         }
         dense = dense.refined(curve, &pieces)?;
-        lfs = LocalFeatureSize::new(&dense, &axis);
     }
 }
 
-/// The medial axis of points at most `ratio` of their lfs apart.
-fn refine_axis(
+/// The medial axis, precise enough for points whose gaps are `ratio` of lfs, and the points that it is of.
+pub(crate) fn refine_axis(
     curve: &Curve,
     ratio: f64,
-) -> Result<(MedialAxis, DenseCurve, LocalFeatureSize), MedialAxisError> {
+) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
+    if !(ratio > 0.0 && ratio <= 1.0) {
+        return Err(MedialAxisError::GapToLfs(ratio));
+    }
+    let ratio = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
+    let (mut axis, dense) = coarse_axis(curve, ratio)?;
+    axis.extend(curvature::centres_at_joins(curve, &dense, ratio));
+    Ok((axis, dense))
+}
+
+/// The medial axis of points at most `ratio` of their lfs apart, and these.
+fn coarse_axis(curve: &Curve, ratio: f64) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = DenseCurve::per_segment(curve, START)?;
     let mut round = 0;
@@ -172,7 +190,7 @@ fn refine_axis(
             pieces[gap] = pieces[gap].max(2);
         }
         if pieces.iter().all(|&n| n == 1) {
-            return Ok((axis, dense, lfs));
+            return Ok((axis, dense));
         }
         dense = dense.refined(curve, &pieces)?;
         round += 1;

@@ -7,6 +7,7 @@
 //! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4, Definition 2 |
 //! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
 //! | [`discretise`] | [`Discretisation`]: the paper's points, or as many as the lfs asks for | |
+//! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners | |
 //!
 //! ```
 //! use curvecrust_curve::Curve;
@@ -28,9 +29,11 @@ mod curvature;
 pub mod discretise;
 pub mod error;
 pub mod lfs;
+pub mod pieces;
 pub mod shrinking_ball;
 
 pub use axis::{AxisEdge, MedialAxis};
 pub use discretise::{Discretisation, Estimator, Measured, measure};
 pub use error::MedialAxisError;
 pub use lfs::LocalFeatureSize;
+pub use pieces::measure_pieces;

@@ -9,7 +9,7 @@
 //! Cost: O(n) for n dense points.
 
 use curvecrust_curve::Curve;
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, MedialAxisError, measure};
 
 use crate::check::{Attained, verdict};
 use crate::condition::Condition;
@@ -73,11 +73,23 @@ pub fn sample_curve(
     curve: &Curve,
     condition: Condition,
 ) -> Result<(Measured, CertifiedSampling), SamplingError> {
+    let measured = |gap_to_lfs| {
+        let discretisation = Discretisation::Adaptive { gap_to_lfs };
+        measure(curve, discretisation, Estimator::Voronoi)
+    };
+    as_finely_as_needed(condition, measured, |measured| sample(measured, condition))
+}
+
+/// Samples what is measured at gaps that are small enough.
+pub(crate) fn as_finely_as_needed(
+    condition: Condition,
+    measured: impl Fn(f64) -> Result<Measured, MedialAxisError>,
+    sample: impl Fn(&Measured) -> Result<CertifiedSampling, SamplingError>,
+) -> Result<(Measured, CertifiedSampling), SamplingError> {
     let mut gap_to_lfs = GAP_TO_LFS.min(GAP_TO_BOUND * condition.bound().value());
     loop {
-        let discretisation = Discretisation::Adaptive { gap_to_lfs };
-        let measured = measure(curve, discretisation, Estimator::Voronoi)?;
-        match sample(&measured, condition) {
+        let measured = measured(gap_to_lfs)?;
+        match sample(&measured) {
             Ok(certified) => return Ok((measured, certified)),
             Err(SamplingError::TooCoarse { .. }) if gap_to_lfs > f64::EPSILON => gap_to_lfs /= 4.0,
             Err(error) => return Err(error),

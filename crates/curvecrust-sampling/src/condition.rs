@@ -95,6 +95,15 @@ impl Condition {
         self.hausdorff_limit
     }
 
+    /// The same with another value, which is below the one it has.
+    pub(crate) fn with_value(self, value: f64) -> Self {
+        let bound = match self.bound {
+            Bound::Epsilon(_) => Bound::Epsilon(value),
+            Bound::Rho(_) => Bound::Rho(value),
+        };
+        Self { bound, ..self }
+    }
+
     fn of(bound: Bound) -> Self {
         Self {
             bound,

@@ -64,19 +64,29 @@ pub fn sample_fewest(
     let total = measured.dense().len();
     progress(0, total);
     certified(measured, condition, |gaps| {
-        let mut positions = walk(gaps, condition, 0)?;
-        if gaps.closed {
-            let told = |done: usize| progress(gaps.range.start + done, total);
-            let start = best_start(&jumps(gaps, condition, &told)?);
-            let other = walk(gaps, condition, start)?;
-            if other.len() < positions.len() {
-                positions = other.into_iter().map(|at| at % gaps.len()).collect();
-                positions.sort_unstable();
-            }
-        }
+        let told = |done: usize| progress(gaps.range.start + done, total);
+        let positions = positions(gaps, condition, &told)?;
         progress(gaps.range.end, total);
         Ok(positions)
     })
+}
+
+/// The positions of the fewest samples of a component, or a gap that is too long.
+pub(crate) fn positions(
+    gaps: &Gaps,
+    condition: Condition,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<usize>, usize> {
+    let mut positions = walk(gaps, condition, 0)?;
+    if gaps.closed {
+        let start = best_start(&jumps(gaps, condition, progress)?);
+        let other = walk(gaps, condition, start)?;
+        if other.len() < positions.len() {
+            positions = other.into_iter().map(|at| at % gaps.len()).collect();
+            positions.sort_unstable();
+        }
+    }
+    Ok(positions)
 }
 
 /// How far greedy jumps from every position of a closed component, in gaps; or a gap that is too long.

@@ -8,6 +8,7 @@
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
 //! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
 //! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
+//! | [`pieces`] | [`sample_split`]: certified on each smooth piece of a curve with corners | |
 //! | [`verified`] | [`sample_verified`]: as few as an algorithm still reconstructs, without guarantee | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
@@ -41,6 +42,7 @@ mod gaps;
 pub mod greedy;
 mod interval;
 pub mod noise;
+pub mod pieces;
 pub mod placed;
 mod random;
 pub mod sampled_curve;
@@ -55,6 +57,7 @@ pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::sample_fewest;
 pub use greedy::{sample_as_published, sample_greedy};
 pub use noise::{Noise, NoiseShape, NoiseSize, with_noise, with_outliers};
+pub use pieces::{SplitSampling, sample_split};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
 pub use uneven::{sample_unevenly, sample_uniformly};

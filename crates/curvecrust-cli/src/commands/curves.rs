@@ -4,19 +4,27 @@ use crate::args;
 use crate::console::Console;
 use crate::input::{self, Source};
 use anyhow::Context;
-use curvecrust::curve::Curve;
+use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust::sampling::{Bound, Condition};
 use std::path::Path;
 
 /// Reads the curves of a document.
 pub(super) fn read(path: &Path) -> anyhow::Result<Curve> {
+    Curve::from_svg(&text(path)?).with_context(|| input::name(path))
+}
+
+/// Reads the curves of a document, split at their corners.
+pub(super) fn read_split(path: &Path) -> anyhow::Result<SplitCurve> {
+    SplitCurve::from_svg(&text(path)?).with_context(|| input::name(path))
+}
+
+fn text(path: &Path) -> anyhow::Result<String> {
     let name = input::name(path);
     let bytes = Source::open(path)
         .and_then(Source::into_bytes)
         .with_context(|| format!("cannot read {name}"))?;
-    let text = String::from_utf8(bytes).with_context(|| format!("{name} is no SVG document"))?;
-    Curve::from_svg(&text).with_context(|| name)
+    String::from_utf8(bytes).with_context(|| format!("{name} is no SVG document"))
 }
 
 /// The largest gap between dense points, as a share of lfs.

@@ -1,19 +1,19 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
 use super::{Bounds, Outcome, curves};
-use crate::args::{self, Count};
+use crate::args::{self, Corners, Count};
 use crate::console::Console;
 use crate::format::Format;
 use crate::input;
 use crate::output::{self, Feature, Layer, Number, Output, Picture, Places, Shape, npy};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
-use curvecrust::curve::Curve;
+use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::evaluate::hausdorff;
-use curvecrust::reconstruct::HnnCrust;
+use curvecrust::reconstruct::{HnnCrust, hnn_crust};
 use curvecrust::sampling::{
     CertifiedSampling, Condition, DeviationLimit, PlacedSamples, SampledCurve, Verification, check,
-    sample, sample_curve, sample_fewest, sample_verified,
+    sample, sample_curve, sample_fewest, sample_split, sample_verified,
 };
 use serde::Serialize;
 use std::io::{self, Write};
@@ -69,12 +69,20 @@ struct Properties {
 
 pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
-    let curve = curves::read(&args.curve.path)?;
-    let Some(condition) = curves::condition(&args.condition, &curve)? else {
-        bail!("give either --rho or --epsilon");
+    let (curve, certified) = match args.corners {
+        Corners::Refuse => {
+            let curve = curves::read(&args.curve.path)?;
+            let certified = taken(args, &curve, condition(args, &curve)?, console)
+                .with_context(|| input::name(&args.curve.path))?;
+            (curve, certified)
+        }
+        Corners::Split => {
+            let split = curves::read_split(&args.curve.path)?;
+            let certified = from_corner_to_corner(args, &split, console)
+                .with_context(|| input::name(&args.curve.path))?;
+            (split.pieces().clone(), certified)
+        }
     };
-    let certified =
-        taken(args, &curve, condition, console).with_context(|| input::name(&args.curve.path))?;
     let samples = &certified.samples;
     if let Some(output) = output {
         match output.format {
@@ -95,7 +103,7 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
     if args.json {
         output::print_json(&object(&curve, &certified)?)?;
     }
-    let (name, bound) = curves::bound(condition);
+    let (name, bound) = curves::bound(certified.condition);
     let verified = if args.count == Count::Verified {
         ", fewer than the condition asks for: verified for this sample set only"
     } else {
@@ -106,6 +114,40 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
         samples.len()
     ));
     Ok(Outcome::Fine)
+}
+
+fn condition(args: &args::Sample, curve: &Curve) -> anyhow::Result<Condition> {
+    let condition = curves::condition(&args.condition, curve)?;
+    condition.context("give either --rho or --epsilon")
+}
+
+/// Samples of every smooth piece, put together; what attains the bound is a piece.
+fn from_corner_to_corner(
+    args: &args::Sample,
+    split: &SplitCurve,
+    console: &Console,
+) -> anyhow::Result<CertifiedSampling> {
+    if args.curve.gap.is_some() || args.curve.per_segment.is_some() || args.count != Count::Fewest {
+        bail!("--corners split goes without --gap, --per-segment and --count");
+    }
+    let condition = condition(args, split.pieces())?;
+    let (_, sampling) = console.during("sampling", |_| sample_split(split, condition))?;
+    let samples = sampling.samples;
+    let corners = split.corners().len();
+    if corners > 0 {
+        let found = if hnn_crust(&samples.point_set()?) == samples.manifold_boundary() {
+            "returns exactly the polygon"
+        } else {
+            "does not return the polygon"
+        };
+        console.say(format_args!(
+            "{corners} corners, which no theorem covers: HNN-Crust {found} of these samples"
+        ));
+    }
+    Ok(CertifiedSampling {
+        samples,
+        ..sampling.pieces
+    })
 }
 
 /// Samples as they were asked for.

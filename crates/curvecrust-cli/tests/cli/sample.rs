@@ -142,3 +142,37 @@ fn lfs_of_a_circle_is_its_radius() {
     );
     assert_eq!(object["components"][0]["closed"], true);
 }
+
+const BADGE: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 40">
+<path d="M 0 0 H 30 V 20 H 0 Z"/><circle cx="15" cy="10" r="4"/></svg>"#;
+
+#[test]
+fn corners_are_refused_by_name_or_become_samples() {
+    let folder = Folder::with("badge.svg", BADGE);
+    let refused = folder.run("sample badge.svg --rho 0.9").error();
+    for corner in ["at (0, 0)", "at (30, 0)", "at (30, 20)", "at (0, 20)"] {
+        assert!(refused.contains(corner), "{refused}");
+    }
+    let run = folder.run("sample badge.svg --rho 0.9 --corners split -o samples.json");
+    assert!(
+        run.stderr
+            .contains("4 corners, which no theorem covers: HNN-Crust returns exactly the polygon"),
+        "{}",
+        run.stderr
+    );
+    run.fine();
+    let found = json(&folder.read("samples.json"));
+    assert_eq!(found["components"].as_array().unwrap().len(), 2);
+    assert_eq!(found["components"][0]["closed"], true);
+    for corner in [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [0.0, 20.0]] {
+        let samples = found["samples"].as_array().unwrap();
+        let here = samples.iter().filter(|&s| *s == serde_json::json!(corner));
+        assert_eq!(here.count(), 1);
+    }
+    let sharp = BADGE.replace("V 20 H 0 Z", "L 0 3 Z");
+    folder.write("sharp.svg", sharp);
+    let refused = folder
+        .run("sample sharp.svg --rho 0.9 --corners split")
+        .error();
+    assert!(refused.contains("60 degrees or less"), "{refused}");
+}

@@ -1,0 +1,210 @@
+//! Curves with corners, split there into smooth pieces.
+//!
+//! A curve with a corner has local feature size 0 there, and no finite sampling. Its pieces are smooth
+//! curves each, which meet at their ends.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use crate::bezier::CubicBezier;
+use crate::component::Component;
+use crate::curve::{Curve, checked};
+use crate::error::{Corner, CurveError};
+use crate::{path_data, svg};
+
+/// Curves that may have corners, as smooth pieces.
+///
+/// # Guarantees
+/// - The pieces are smooth as a [`Curve`] is. A component without a corner is one piece; of the others, each
+///   piece starts where the one before it ends, bit by bit.
+/// - A closed component with corners has three pieces at least: one with a single corner, or two, is cut
+///   again where pieces have half of their length, into four.
+///
+/// ```
+/// use curvecrust_curve::SplitCurve;
+///
+/// let split = SplitCurve::from_path_data("M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 Z")?;
+/// assert_eq!((split.pieces().components().len(), split.corners().len()), (4, 2));
+/// assert_eq!(split.components()[0].pieces, 0..4);
+/// # Ok::<(), curvecrust_curve::CurveError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplitCurve {
+    pieces: Curve,
+    components: Vec<SplitComponent>,
+    corners: Vec<Corner>,
+}
+
+/// The pieces of one component.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SplitComponent {
+    /// Indices of the pieces, in order along the component.
+    pub pieces: Range<usize>,
+    /// Whether the component is closed: the last piece is followed by the first.
+    pub closed: bool,
+}
+
+impl SplitCurve {
+    /// Splits components at their corners.
+    ///
+    /// # Errors
+    /// Those of [`Curve::new`] other than [`CurveError::Corners`]. A cusp inside a segment stays an error: the
+    /// radius of curvature goes to 0 towards it, and with it the local feature size of the pieces.
+    pub fn new(components: Vec<Component>) -> Result<Self, CurveError> {
+        let (components, corners) = checked(&components)?;
+        let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
+        for (index, component) in components.into_iter().enumerate() {
+            let first = pieces.len();
+            let closed = component.is_closed();
+            let here = corners.iter().filter(|c| c.component == index);
+            let starts: Vec<usize> = here.map(|c| c.segment).collect();
+            if starts.is_empty() {
+                pieces.push(component);
+            } else {
+                pieces.extend(cut(component.segments(), closed, &starts));
+            }
+            split.push(SplitComponent {
+                pieces: first..pieces.len(),
+                closed,
+            });
+        }
+        Ok(Self {
+            pieces: Curve::of_pieces(pieces),
+            components: split,
+            corners,
+        })
+    }
+
+    /// As [`Curve::from_path_data`], but split at corners.
+    ///
+    /// # Errors
+    /// [`CurveError::PathData`], or what [`SplitCurve::new`] finds.
+    pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
+        Self::new(path_data::parse(d)?)
+    }
+
+    /// As [`Curve::from_svg`], but split at corners.
+    ///
+    /// # Errors
+    /// Those of [`Curve::from_svg`], but for [`CurveError::Corners`].
+    pub fn from_svg(document: &str) -> Result<Self, CurveError> {
+        svg::parse(document, Self::new)
+    }
+
+    /// The pieces, each a component; they touch where they meet.
+    #[must_use]
+    pub fn pieces(&self) -> &Curve {
+        &self.pieces
+    }
+
+    /// Which pieces make up each component, in the order in which they were given.
+    #[must_use]
+    pub fn components(&self) -> &[SplitComponent] {
+        &self.components
+    }
+
+    /// The corners, in the order of the curve; their segments are those of the components as given.
+    #[must_use]
+    pub fn corners(&self) -> &[Corner] {
+        &self.corners
+    }
+
+    /// The component that a piece belongs to; `None` if there is no such piece.
+    #[must_use]
+    pub fn component_of(&self, piece: usize) -> Option<&SplitComponent> {
+        self.components.iter().find(|c| c.pieces.contains(&piece))
+    }
+
+    /// What is smooth by itself: the components without a corner, all together, and each piece of the others;
+    /// each part with the indices of its pieces.
+    #[must_use]
+    pub fn smooth_parts(&self) -> Vec<(Vec<usize>, Curve)> {
+        let (whole, cut): (Vec<_>, Vec<_>) = self
+            .components
+            .iter()
+            .map(|c| c.pieces.clone())
+            .partition(|pieces| pieces.len() == 1);
+        let together: Vec<usize> = whole.into_iter().flatten().collect();
+        let alone = cut.into_iter().flatten().map(|piece| vec![piece]);
+        let parts = [together].into_iter().chain(alone);
+        let curve = |pieces: &[usize]| {
+            let components = pieces.iter().map(|&i| self.pieces.components()[i].clone());
+            Curve::of_pieces(components.collect())
+        };
+        let parts = parts.filter(|pieces| !pieces.is_empty());
+        let with_curve = |pieces: Vec<usize>| {
+            let curve = curve(&pieces);
+            (pieces, curve)
+        };
+        parts.map(with_curve).collect()
+    }
+
+    /// Where a piece meets others of its component: at its start, at its end, each with the index of the
+    /// piece there.
+    #[must_use]
+    pub fn meetings(&self, piece: usize) -> [Option<(usize, DVec2)>; 2] {
+        let Some(SplitComponent { pieces, closed }) = self.component_of(piece) else {
+            return [None; 2];
+        };
+        let segments = self.pieces.components()[piece].segments();
+        let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
+            return [None; 2];
+        };
+        if pieces.len() == 1 {
+            return [None; 2];
+        }
+        let before = if piece > pieces.start {
+            Some(piece - 1)
+        } else {
+            closed.then_some(pieces.end - 1)
+        };
+        let after = if piece + 1 < pieces.end {
+            Some(piece + 1)
+        } else {
+            closed.then_some(pieces.start)
+        };
+        [
+            before.map(|i| (i, first.start())),
+            after.map(|i| (i, last.end())),
+        ]
+    }
+}
+
+/// The pieces of a component between corners, which are where the segments in `starts` start.
+fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<Component> {
+    let first = if closed { starts[0] } else { 0 };
+    let turned = [&segments[first..], &segments[..first]].concat();
+    let mut cuts: Vec<usize> = starts.iter().map(|s| s - first).collect();
+    if !closed {
+        cuts.insert(0, 0);
+    }
+    let ends = cuts.iter().skip(1).copied().chain([turned.len()]);
+    let parts = cuts.iter().zip(ends);
+    let mut pieces: Vec<Vec<CubicBezier>> =
+        parts.map(|(&from, to)| turned[from..to].to_vec()).collect();
+    while closed && pieces.len() < 3 {
+        pieces = pieces.iter().flat_map(|piece| halves(piece)).collect();
+    }
+    let open = pieces.into_iter().map(|piece| Component::new(piece, false));
+    open.collect()
+}
+
+/// A chain of segments in two, cut in the middle of the segment that has half of the length before it, by the
+/// lengths of control polygons.
+fn halves(segments: &[CubicBezier]) -> [Vec<CubicBezier>; 2] {
+    let length = |s: &CubicBezier| s.arms().iter().map(|arm| arm.length()).sum::<f64>();
+    let half = segments.iter().map(length).sum::<f64>() / 2.0;
+    let mut before = 0.0;
+    let middle = segments.iter().position(|s| {
+        before += length(s);
+        before >= half
+    });
+    let middle = middle.unwrap_or(0);
+    let [left, right] = segments[middle].halves();
+    let first = segments[..middle].iter().copied().chain([left]);
+    let second = [right]
+        .into_iter()
+        .chain(segments[middle + 1..].iter().copied());
+    [first.collect(), second.collect()]
+}

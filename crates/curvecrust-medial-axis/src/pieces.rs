@@ -1,0 +1,264 @@
+//! The local feature size of the smooth pieces of curves with corners.
+//!
+//! With respect to the whole curve, lfs goes to 0 at a corner. With respect to its piece alone it would not
+//! know what else is near. What is measured here lies between:
+//!
+//! - the lfs with respect to what is smooth by itself: the piece, or all components without corners;
+//! - half of the distance to every other piece. If m is a point of the medial axis of this one and that one, and
+//!   nearest to p, then its closest points are no farther from m than p is: p is at most 2 |pm| from that
+//!   piece. So this half is a lower bound of lfs, and equal to it between parallel lines;
+//! - a piece that meets this one in a corner c counts only where it comes nearer to p than sin 60° |pc|: straight
+//!   arms that meet at 60° or more never do. That exception is what keeps lfs above 0 at a corner, and it is where
+//!   theory ends: the theorems on epsilon- and rho-samples are of smooth curves. They hold for every piece by
+//!   itself; that a reconstruction gets round the corner, too, is to be checked by running it.
+//!
+//! Made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces, O(n^2 log n) in their boxes besides what
+//! the pieces cost by themselves.
+
+use curvecrust_curve::{CurveParam, DenseComponent, DenseCurve, SplitCurve};
+use curvecrust_geometry::{DVec2, SegmentTree};
+
+use crate::axis::MedialAxis;
+use crate::crossing::chord;
+use crate::discretise::{Measured, TOUCHING, refine_axis, settle};
+use crate::error::MedialAxisError;
+use crate::lfs::LocalFeatureSize;
+
+/// sin 60°: HNN-Crust joins no edges that meet at a smaller angle.
+const SINE: f64 = 0.866_025_403_784_438_6;
+
+/// Discretises the pieces of a curve so that no gap is longer than a fraction of the lfs of its ends, which is
+/// what [this module](self) says. The components of the dense curve are the
+/// [pieces](SplitCurve::pieces), so that the point at a corner is there twice.
+///
+/// Without corners it is [`measure`](crate::measure).
+///
+/// # Errors
+/// Those of [`measure`](crate::measure) for each smooth part;
+/// [`Touching`](MedialAxisError::Touching) where two pieces come too near to tell, other than in their corner.
+///
+/// ```
+/// use curvecrust_curve::SplitCurve;
+/// use curvecrust_medial_axis::measure_pieces;
+///
+/// // A bar of 10 by 1: half of its width is the lfs of its long sides.
+/// let bar = SplitCurve::from_path_data("M 0 0 H 10 V 1 H 0 Z")?;
+/// let measured = measure_pieces(&bar, 0.05)?;
+/// assert_eq!(measured.dense().components().len(), 4);
+/// assert!((measured.lfs().minimum() - 0.5).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn measure_pieces(split: &SplitCurve, gap_to_lfs: f64) -> Result<Measured, MedialAxisError> {
+    let mut parts = Vec::new();
+    for (pieces, curve) in split.smooth_parts() {
+        let (axis, dense) = refine_axis(&curve, gap_to_lfs)?;
+        let lfs = LocalFeatureSize::new(&dense, &axis);
+        let measured = Measured::from_parts(dense, lfs);
+        parts.push(Part {
+            pieces,
+            curve,
+            axis,
+            measured,
+        });
+    }
+    let least = TOUCHING * split.pieces().extent();
+    let mut points = 0;
+    loop {
+        let outlines = outlines(split, &parts);
+        for part in &mut parts {
+            part.settle(split, &outlines, gap_to_lfs, least)?;
+        }
+        // With the points of the outlines, distances to them have settled.
+        let now = parts.iter().map(|part| part.measured.dense().len()).sum();
+        if now == points {
+            return assembled(split, &parts);
+        }
+        points = now;
+    }
+}
+
+/// What is smooth by itself.
+struct Part {
+    /// The pieces that are its components.
+    pieces: Vec<usize>,
+    curve: curvecrust_curve::Curve,
+    axis: MedialAxis,
+    measured: Measured,
+}
+
+/// A piece as others see it.
+struct Outline {
+    low: DVec2,
+    high: DVec2,
+    chords: SegmentTree,
+}
+
+impl Outline {
+    /// A lower bound of the distance between points of two pieces.
+    fn distance_of_boxes(&self, other: &Self) -> f64 {
+        let apart = (self.low - other.high).max(other.low - self.high);
+        apart.max(DVec2::ZERO).length()
+    }
+}
+
+fn outlines(split: &SplitCurve, parts: &[Part]) -> Vec<Outline> {
+    let empty = || Outline {
+        low: DVec2::INFINITY,
+        high: DVec2::NEG_INFINITY,
+        chords: SegmentTree::default(),
+    };
+    let count = split.pieces().components().len();
+    let mut outlines: Vec<Outline> = (0..count).map(|_| empty()).collect();
+    for part in parts {
+        let dense = part.measured.dense();
+        for (&piece, DenseComponent { range, .. }) in part.pieces.iter().zip(dense.components()) {
+            let points = &dense.points()[range.clone()];
+            let chords = range.clone().filter(|&i| dense.next(i).is_some());
+            outlines[piece] = Outline {
+                low: points.iter().copied().fold(DVec2::INFINITY, DVec2::min),
+                high: points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max),
+                chords: SegmentTree::new(chords.map(|i| chord(dense, i))),
+            };
+        }
+    }
+    outlines
+}
+
+/// Another piece, as it matters to one.
+struct Neighbour<'a> {
+    outline: &'a Outline,
+    /// No point of it is nearer to any of this piece.
+    at_least: f64,
+    /// Where the two meet.
+    meetings: Vec<DVec2>,
+}
+
+impl Neighbour<'_> {
+    /// The bound that it sets to lfs at a point.
+    fn bound(&self, p: DVec2) -> f64 {
+        let Some((_, distance)) = self.outline.chords.nearest(p) else {
+            return f64::INFINITY;
+        };
+        let to_corner = self.meetings.iter().map(|c| c.distance(p));
+        let nearest = to_corner.fold(f64::INFINITY, f64::min);
+        if distance < SINE * nearest {
+            distance / 2.0
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+impl Part {
+    fn settle(
+        &mut self,
+        split: &SplitCurve,
+        outlines: &[Outline],
+        gap_to_lfs: f64,
+        least: f64,
+    ) -> Result<(), MedialAxisError> {
+        let neighbours: Vec<Vec<Neighbour>> = self
+            .pieces
+            .iter()
+            .map(|&piece| self.neighbours(split, outlines, piece))
+            .collect();
+        let dense = self.measured.dense().clone();
+        self.measured = settle(&self.curve, dense, gap_to_lfs, |dense| {
+            let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
+            for (component, neighbours) in dense.components().iter().zip(&neighbours) {
+                let range = component.range.clone();
+                let points = &dense.points()[range.clone()];
+                let values = &mut values[range];
+                for (value, &p) in values.iter_mut().zip(points) {
+                    for neighbour in neighbours {
+                        if neighbour.at_least / 2.0 >= *value {
+                            break;
+                        }
+                        *value = value.min(neighbour.bound(p));
+                    }
+                }
+                make_lipschitz(points, values, component.closed);
+            }
+            match values.iter().position(|&value| value < least) {
+                None => Ok(LocalFeatureSize::from_values(values)),
+                Some(i) => Err(MedialAxisError::Touching {
+                    at: dense.points()[i],
+                    distance: least,
+                }),
+            }
+        })?;
+        Ok(())
+    }
+
+    /// All pieces of other parts, by how near they may be.
+    fn neighbours<'a>(
+        &self,
+        split: &SplitCurve,
+        outlines: &'a [Outline],
+        piece: usize,
+    ) -> Vec<Neighbour<'a>> {
+        let meetings = split.meetings(piece);
+        let others = outlines.iter().enumerate();
+        let others = others.filter(|(other, _)| !self.pieces.contains(other));
+        let mut neighbours: Vec<_> = others
+            .map(|(other, outline)| {
+                let here = meetings.iter().flatten().filter(|m| m.0 == other);
+                Neighbour {
+                    outline,
+                    at_least: outlines[piece].distance_of_boxes(outline),
+                    meetings: here.map(|m| m.1).collect(),
+                }
+            })
+            .collect();
+        neighbours.sort_by(|a, b| a.at_least.total_cmp(&b.at_least));
+        neighbours
+    }
+}
+
+/// Lowers values until they change by no more than the way between points.
+fn make_lipschitz(points: &[DVec2], values: &mut [f64], closed: bool) {
+    let count = points.len();
+    let rounds = if closed { 2 * count } else { count };
+    let lower = |values: &mut [f64], from: usize, to: usize| {
+        values[to] = values[to].min(values[from] + points[from].distance(points[to]));
+    };
+    for i in 1..rounds {
+        lower(values, (i - 1) % count, i % count);
+    }
+    for i in (1..rounds).rev() {
+        lower(values, i % count, (i - 1) % count);
+    }
+}
+
+/// All pieces, in their order.
+fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<Measured, MedialAxisError> {
+    let mut places = vec![(0, 0); split.pieces().components().len()];
+    for (index, part) in parts.iter().enumerate() {
+        for (component, &piece) in part.pieces.iter().enumerate() {
+            places[piece] = (index, component);
+        }
+    }
+    let (mut points, mut params, mut values) = (Vec::new(), Vec::new(), Vec::new());
+    let mut components = Vec::with_capacity(places.len());
+    for (piece, (part, component)) in (0u32..).zip(places) {
+        let measured = &parts[part].measured;
+        let DenseComponent { range, closed } = measured.dense().components()[component].clone();
+        let start = points.len();
+        points.extend_from_slice(&measured.dense().points()[range.clone()]);
+        values.extend_from_slice(&measured.lfs().values()[range.clone()]);
+        let here = measured.dense().params()[range].iter();
+        params.extend(here.map(|&param| CurveParam {
+            component: piece,
+            ..param
+        }));
+        components.push(DenseComponent {
+            range: start..points.len(),
+            closed,
+        });
+    }
+    let dense = DenseCurve::new(points, params, components)?;
+    Ok(Measured::from_parts(
+        dense,
+        LocalFeatureSize::from_values(values),
+    ))
+}

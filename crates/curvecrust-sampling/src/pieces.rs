@@ -1,0 +1,220 @@
+//! Sampling of curves with corners: every smooth piece by itself, with the corners as samples.
+//!
+//! The condition holds at every point of every piece, with the lfs of
+//! [`measure_pieces`](curvecrust_medial_axis::pieces), which says what that means and where theory ends. A
+//! reconstruction from the samples of all pieces is guaranteed by no theorem, unlike that of a smooth curve, and is
+//! to be checked by running it. What is done for it:
+//!
+//! - A corner c is a sample. HNN-Crust joins it to its neighbours s and t on both arms only if the angle there is
+//!   wider than 60 degrees and both are nearer to c than to each other (|cs|, |ct| < |st|). Where they are not, the
+//!   longer arm gets a sample at the distance of the other one.
+//! - A piece is sampled with the smallest bound that needs no more samples, so that they are spread evenly and
+//!   none is left over close to the corner.
+
+use curvecrust_curve::{Corner, SplitCurve};
+use curvecrust_medial_axis::{Measured, measure_pieces};
+
+use crate::certified::{CertifiedSampling, as_finely_as_needed, certified, walk};
+use crate::condition::Condition;
+use crate::error::SamplingError;
+use crate::fewest;
+use crate::gaps::Gaps;
+use crate::sampled_curve::{ClosingInterval, SampledCurve};
+
+/// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
+const LEAST_ANGLE: f64 = 60.0;
+/// Distances from a corner below this ratio are the same: dense points allow no better.
+const ALIKE: f64 = 1.02;
+/// So often is the range of bounds halved that need as many samples.
+const HALVINGS: usize = 8;
+
+/// Samples of a curve with corners.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplitSampling {
+    /// The samples of every piece by itself: its components are the pieces, and a corner is a sample of both
+    /// pieces that meet there.
+    pub pieces: CertifiedSampling,
+    /// The samples of the whole: its components are those of the curve, and a corner is a sample once, with the
+    /// parameter and the dense point that start the piece after it.
+    pub samples: SampledCurve,
+}
+
+/// Discretises the pieces of a curve as finely as the condition asks for, and samples each from one corner to the
+/// next; components without a corner from the best of all starts.
+///
+/// # Errors
+/// [`SharpCorners`](SamplingError::SharpCorners), and those of [`sample_curve`](crate::sample_curve).
+///
+/// ```
+/// use curvecrust_curve::SplitCurve;
+/// use curvecrust_reconstruct::hnn_crust;
+/// use curvecrust_sampling::{Condition, sample_split};
+///
+/// let half_disc = SplitCurve::from_path_data("M 0 0 A 1 1 0 0 1 2 0 Z")?;
+/// let (_, sampling) = sample_split(&half_disc, Condition::rho(0.9)?)?;
+/// let samples = sampling.samples;
+/// for corner in half_disc.corners() {
+///     assert!(samples.points().contains(&corner.at));
+/// }
+/// assert_eq!(hnn_crust(&samples.point_set()?), samples.manifold_boundary());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sample_split(
+    split: &SplitCurve,
+    condition: Condition,
+) -> Result<(Measured, SplitSampling), SamplingError> {
+    check_corners(split)?;
+    let (measured, pieces) = as_finely_as_needed(
+        condition,
+        |gap_to_lfs| measure_pieces(split, gap_to_lfs),
+        |measured| sample_pieces(split, measured, condition),
+    )?;
+    let samples = joined(split, &measured, &pieces.samples);
+    Ok((measured, SplitSampling { pieces, samples }))
+}
+
+fn check_corners(split: &SplitCurve) -> Result<(), SamplingError> {
+    let too_sharp = |c: &&Corner| 180.0 - c.angle_deg <= LEAST_ANGLE;
+    let sharp: Vec<Corner> = split.corners().iter().filter(too_sharp).copied().collect();
+    if sharp.is_empty() {
+        Ok(())
+    } else {
+        Err(SamplingError::SharpCorners(sharp))
+    }
+}
+
+/// The samples of all pieces.
+fn sample_pieces(
+    split: &SplitCurve,
+    measured: &Measured,
+    condition: Condition,
+) -> Result<CertifiedSampling, SamplingError> {
+    let all = Gaps::of(measured);
+    let mut piece = 0..;
+    // What cannot be sampled is told by this.
+    let first = certified(measured, condition, |gaps| {
+        let is_cut = piece
+            .next()
+            .is_some_and(|piece| split.meetings(piece) != [None; 2]);
+        if is_cut {
+            even(gaps, condition)
+        } else {
+            fewest::positions(gaps, condition, &|_| ())
+        }
+    })?;
+    let places = first.samples.components().iter().zip(&all);
+    let mut positions: Vec<Vec<usize>> = places
+        .map(|(component, gaps)| {
+            let here = &first.samples.dense_indices()[component.range.clone()];
+            here.iter().map(|dense| dense - gaps.range.start).collect()
+        })
+        .collect();
+    while balance(split, &all, condition, &mut positions) {}
+    let mut positions = positions.into_iter();
+    certified(measured, condition, |_| {
+        Ok(positions.next().unwrap_or_default())
+    })
+}
+
+/// Greedy samples of an open piece by the smallest bound that needs as many of them.
+fn even(gaps: &Gaps, condition: Condition) -> Result<Vec<usize>, usize> {
+    let mut best = walk(gaps, condition, 0)?;
+    let (mut low, mut high) = (0.0, condition.bound().value());
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        match walk(gaps, condition.with_value(middle), 0) {
+            Ok(found) if found.len() <= best.len() => (best, high) = (found, middle),
+            _ => low = middle,
+        }
+    }
+    Ok(best)
+}
+
+/// Adds a sample beside the first corner that is nearer to a neighbour than its neighbours are to each other;
+/// whether there was one.
+fn balance(
+    split: &SplitCurve,
+    all: &[Gaps],
+    condition: Condition,
+    positions: &mut [Vec<usize>],
+) -> bool {
+    for before in 0..positions.len() {
+        let Some((after, corner)) = split.meetings(before)[1] else {
+            continue;
+        };
+        let (arm, other) = (&positions[before], &positions[after]);
+        let [s, t] = [
+            all[before].point(arm[arm.len() - 2]),
+            all[after].point(other[1]),
+        ];
+        let (to_s, to_t) = (corner.distance(s), corner.distance(t));
+        let (near, far) = (to_s.min(to_t), to_s.max(to_t));
+        if far < s.distance(t) || far < ALIKE * near {
+            continue;
+        }
+        let added = if to_s > to_t {
+            let last = arm.len() - 1;
+            let at = (arm[last - 1] + 1..arm[last])
+                .find(|&at| all[before].point(at).distance(corner) <= to_t);
+            at.map(|at| (before, last, at))
+        } else {
+            let at = (1..other[1]).rfind(|&at| all[after].point(at).distance(corner) <= to_s);
+            at.map(|at| (after, 1, at))
+        };
+        // Without a place, or with arms that are too near to each other, a reconstruction fails.
+        if let Some((piece, index, at)) = added
+            && insert(&all[piece], condition, &mut positions[piece], index, at)
+        {
+            return true;
+        }
+    }
+    false
+}
+
+/// Makes a position a sample before that of an index; whether it was far enough from both of its neighbours to be
+/// new. With a Hausdorff limit, a part of what holds need not hold, and may get more samples.
+fn insert(
+    gaps: &Gaps,
+    condition: Condition,
+    positions: &mut Vec<usize>,
+    index: usize,
+    at: usize,
+) -> bool {
+    let (from, to) = (positions[index - 1], positions[index]);
+    let mut between = vec![from];
+    for end in [at, to] {
+        let mut last = between[between.len() - 1];
+        while last < end {
+            let Some(next) = gaps.farthest(condition, last, end, end) else {
+                return false;
+            };
+            between.push(next);
+            last = next;
+        }
+    }
+    positions.splice(index - 1..=index, between);
+    true
+}
+
+/// Samples of the pieces put together.
+fn joined(split: &SplitCurve, measured: &Measured, of_pieces: &SampledCurve) -> SampledCurve {
+    let mut samples = SampledCurve::default();
+    for (component, whole) in split.components().iter().enumerate() {
+        let mut indices = Vec::new();
+        for piece in whole.pieces.clone() {
+            let range = of_pieces.components()[piece].range.clone();
+            let here = &of_pieces.dense_indices()[range];
+            // The end is the start of the piece that follows.
+            let again = usize::from(split.meetings(piece)[1].is_some());
+            indices.extend_from_slice(&here[..here.len() - again]);
+        }
+        samples.push_component(measured.dense(), indices.into_iter(), whole.closed);
+        if whole.closed {
+            samples.push_closing(ClosingInterval {
+                component,
+                holds: true,
+            });
+        }
+    }
+    samples
+}

@@ -1,0 +1,161 @@
+//! Curves with corners: what is refused, and what samples of their pieces keep.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+mod common;
+
+use std::f64::consts::TAU;
+
+use common::Random;
+use curvecrust_curve::{Component, CubicBezier, Curve, SplitCurve};
+use curvecrust_geometry::DVec2;
+use curvecrust_medial_axis::MedialAxisError;
+use curvecrust_reconstruct::hnn_crust;
+use curvecrust_sampling::{
+    Condition, PlacedSamples, SamplingError, SplitSampling, check, sample_curve, sample_fewest,
+    sample_split,
+};
+
+fn split(d: &str) -> SplitCurve {
+    SplitCurve::from_path_data(d).unwrap()
+}
+
+/// Samples of a curve, which are what they promise to be.
+fn sampled(split: &SplitCurve, condition: Condition) -> SplitSampling {
+    let (measured, sampling) = sample_split(split, condition).unwrap();
+    let placed = PlacedSamples::of(&measured, &sampling.pieces.samples).unwrap();
+    assert!(check(&measured, &placed, condition).certain);
+    let samples = &sampling.samples;
+    assert_eq!(samples.components().len(), split.components().len());
+    for (sampled, whole) in samples.components().iter().zip(split.components()) {
+        assert_eq!(sampled.closed, whole.closed);
+        assert!(sampled.range.len() >= if whole.closed { 3 } else { 2 });
+    }
+    for corner in split.corners() {
+        let here = samples.points().iter().filter(|&&p| p == corner.at);
+        assert_eq!(here.count(), 1, "{corner:?}");
+    }
+    sampling
+}
+
+fn is_reconstructed(sampling: &SplitSampling) -> bool {
+    let samples = &sampling.samples;
+    hnn_crust(&samples.point_set().unwrap()) == samples.manifold_boundary()
+}
+
+const SHAPES: [(&str, &str); 11] = [
+    ("square", "M 0 0 H 1 V 1 H 0 Z"),
+    ("bar", "M 0 0 H 10 V 1 H 0 Z"),
+    ("half disc", "M 0 0 A 1 1 0 0 1 2 0 Z"),
+    ("lens", "M 0 0 A 1 1 0 0 1 1.6 0 A 1 1 0 0 1 0 0 Z"),
+    ("drop", "M 0 0 C 3 2.5 3 -2.5 0 0 Z"),
+    ("L", "M 0 0 H 4 V 1 H 1 V 5 H 0 Z"),
+    ("zigzag", "M 0 0 L 2 3 L 4 0 L 6 3 L 8 0"),
+    (
+        "heart",
+        "M 0 0 C -2 2 -4 1 -4 -1 C -4 -2.5 -2 -3.5 0 -5 C 2 -3.5 4 -2.5 4 -1 C 4 1 2 2 0 0 Z",
+    ),
+    ("frame", "M 0 0 H 6 V 6 H 0 Z M 0.5 0.5 H 5.5 V 5.5 H 0.5 Z"),
+    (
+        "disc in a square",
+        "M 0 0 H 4 V 4 H 0 Z M 1 2 A 1 1 0 0 1 3 2 A 1 1 0 0 1 1 2 Z",
+    ),
+    ("bevel", "M 0 0 H 4 V 3.9 L 3.9 4 H 0 Z"),
+];
+
+#[test]
+fn corners_are_samples_and_hnn_crust_gets_round_them() {
+    let rho = Condition::rho(0.9).unwrap();
+    for (name, d) in SHAPES {
+        let split = split(d);
+        for condition in [
+            rho,
+            Condition::epsilon(0.47).unwrap(),
+            rho.with_hausdorff_limit(0.02).unwrap(),
+        ] {
+            let sampling = sampled(&split, condition);
+            assert!(is_reconstructed(&sampling), "{name} {condition:?}");
+        }
+    }
+}
+
+#[test]
+fn without_corners_nothing_changes() {
+    let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z M 30 100 C 30 140 90 140 90 100";
+    let rho = Condition::rho(0.9).unwrap();
+    let (measured, sampling) = sample_split(&split(d), rho).unwrap();
+    let (other, _) = sample_curve(&Curve::from_path_data(d).unwrap(), rho).unwrap();
+    assert_eq!(measured.dense(), other.dense());
+    assert_eq!(measured.lfs(), other.lfs());
+    assert_eq!(
+        sampling.pieces,
+        sample_fewest(&other, rho, &|_, _| {}).unwrap()
+    );
+    assert_eq!(sampling.samples, sampling.pieces.samples);
+}
+
+#[test]
+fn what_no_samples_help_is_refused() {
+    let rho = Condition::rho(0.9).unwrap();
+    let refused = |d| sample_split(&split(d), rho).unwrap_err();
+    // Angles of 45, 90 and 45 degrees.
+    let error = refused("M 0 0 H 4 V 4 Z");
+    let SamplingError::SharpCorners(corners) = &error else {
+        panic!("{error}");
+    };
+    assert_eq!(
+        [corners[0].at, corners[1].at],
+        [DVec2::ZERO, DVec2::splat(4.0)]
+    );
+    assert!(error.to_string().contains("at (4, 4)"), "{error}");
+    // Squares that cross, and that have a corner in common.
+    for d in [
+        "M 0 0 H 4 V 4 H 0 Z M 2 2 H 6 V 6 H 2 Z",
+        "M 0 0 H 4 V 4 H 0 Z M 4 4 H 6 V 6 H 4 Z",
+    ] {
+        let error = refused(d);
+        let SamplingError::Measure(MedialAxisError::Touching { at, .. }) = error else {
+            panic!("{error}");
+        };
+        let near = |p: DVec2| at.distance(p) < 1e-5;
+        assert!(
+            [
+                DVec2::new(2.0, 4.0),
+                DVec2::new(4.0, 2.0),
+                DVec2::splat(4.0)
+            ]
+            .into_iter()
+            .any(near)
+        );
+    }
+}
+
+/// A closed chain of arcs, bent at random, through points at random distances from the origin.
+fn random_corners(random: &mut Random) -> SplitCurve {
+    let n = 3 + random.below(6);
+    let radii: Vec<f64> = (0..n).map(|_| random.between(0.6, 1.0)).collect();
+    let at = |i: usize| DVec2::from_angle(TAU * (i % n) as f64 / n as f64) * radii[i % n];
+    let arcs = (0..n).map(|i| {
+        let (p, q) = (at(i), at(i + 1));
+        let bend = random.between(-0.15, 0.15) * (q - p).perp();
+        let third = (q - p) / 3.0;
+        CubicBezier::new([p, p + third + bend, q - third + bend, q])
+    });
+    SplitCurve::new(vec![Component::new(arcs.collect(), true)]).unwrap()
+}
+
+#[test]
+fn most_random_corners_are_reconstructed() {
+    let mut random = Random::new(60);
+    let (mut done, mut exact) = (0, 0);
+    while done < 200 {
+        let split = random_corners(&mut random);
+        if split.corners().iter().any(|c| c.angle_deg > 118.0) {
+            continue;
+        }
+        let sampling = sampled(&split, Condition::rho(0.9).unwrap());
+        done += 1;
+        exact += usize::from(is_reconstructed(&sampling));
+    }
+    // No theorem says so: arms that bend towards each other are what fails.
+    assert!(exact >= 195, "{exact}");
+}
