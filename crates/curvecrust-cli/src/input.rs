@@ -16,18 +16,23 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// Opens it and reads its first bytes; the byte order mark of UTF-8 is left out.
+    /// Opens it and reads its first bytes.
     pub(crate) fn open(path: &Path) -> io::Result<Self> {
-        let mut rest: Box<dyn BufRead> = if is_stdin(path) {
-            Box::new(io::stdin().lock())
+        if is_stdin(path) {
+            Self::new(io::stdin().lock())
         } else {
-            Box::new(BufReader::with_capacity(BUFFER, File::open(path)?))
-        };
+            Self::new(BufReader::with_capacity(BUFFER, File::open(path)?))
+        }
+    }
+
+    /// Reads its first bytes; the byte order mark of UTF-8 is left out.
+    pub(crate) fn new(mut rest: impl BufRead + 'static) -> io::Result<Self> {
         let mut head = Vec::new();
         rest.by_ref().take(HEAD as u64).read_to_end(&mut head)?;
         if head.starts_with(b"\xef\xbb\xbf") {
             head.drain(..3);
         }
+        let rest = Box::new(rest);
         Ok(Self { head, rest })
     }
 

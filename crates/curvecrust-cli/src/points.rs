@@ -30,16 +30,21 @@ pub(crate) const FORMATS: &[Format] = &[
 ///
 /// The format is the one given, else that of the file's name, else what the content looks like.
 pub(crate) fn read(path: &Path, from: Option<Format>) -> Result<Vec<DVec2>, PointsError> {
-    let in_file = |flaw: Flaw| PointsError::new(input::name(path), flaw);
-    let source = Source::open(path).map_err(|error| in_file(error.into()))?;
+    Source::open(path)
+        .map_err(Flaw::from)
+        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path))))
+        .map_err(|flaw| PointsError::new(input::name(path), flaw))
+}
+
+/// The same from an opened source, in the format given, else what the content looks like.
+pub(crate) fn read_source(source: Source, format: Option<Format>) -> Result<Vec<DVec2>, Flaw> {
     let head = source.head();
     if head.is_empty() {
-        return Err(in_file(Problem::NoPoints.into()));
+        return Err(Problem::NoPoints.into());
     }
     if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") {
-        return Err(in_file(Problem::Utf16.into()));
+        return Err(Problem::Utf16.into());
     }
-    let format = from.or_else(|| Format::of_name(path));
     let points = match format.unwrap_or_else(|| looks_like(head)) {
         Format::Csv => delimited::read(source),
         Format::Text => text::read(source.into_reader()),
@@ -48,11 +53,11 @@ pub(crate) fn read(path: &Path, from: Option<Format>) -> Result<Vec<DVec2>, Poin
         Format::Geojson => whole(source).and_then(|bytes| geojson::read(&bytes)),
         Format::Svg => whole(source).and_then(|bytes| svg::read(&bytes)),
         other => Err(Problem::Unreadable(other).into()),
-    };
-    match points {
-        Ok(points) if points.is_empty() => Err(in_file(Problem::NoPoints.into())),
-        points => points.map_err(in_file),
+    }?;
+    if points.is_empty() {
+        return Err(Problem::NoPoints.into());
     }
+    Ok(points)
 }
 
 fn whole(source: Source) -> Result<Vec<u8>, Flaw> {
