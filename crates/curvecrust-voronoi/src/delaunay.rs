@@ -1,5 +1,6 @@
 //! The triangulation, and every edge with its dual.
 
+use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, PointId, PointSet, orient2d};
 use spade::handles::{DirectedEdgeHandle, FaceHandle, InnerTag};
 use spade::{DelaunayTriangulation, Point2, Triangulation};
@@ -39,6 +40,9 @@ pub struct Delaunay {
     ids: Vec<PointId>,
     /// The circumcentres, in order of spade's inner faces.
     centres: Vec<DVec2>,
+    /// All points along the line that they lie on; empty, and the triangulation is not, if they lie
+    /// on none.
+    row: Vec<PointId>,
 }
 
 /// A Delaunay edge with what lies left and right of it, and its dual: the Voronoi edge between the
@@ -57,6 +61,9 @@ pub struct DualEdge {
 
 impl Delaunay {
     /// Triangulates the points, in O(n log n) expected time for points as they occur on curves.
+    ///
+    /// The insertion starts from a triangle: as long as all points lie on one line, spade would look
+    /// at every one of them to insert the next.
     #[must_use]
     #[expect(
         clippy::expect_used,
@@ -64,7 +71,16 @@ impl Delaunay {
         reason = "spade refuses just what a PointSet refuses"
     )]
     pub fn new(points: &PointSet) -> Self {
-        let ids = brio_order(points);
+        let mut ids = brio_order(points);
+        if !starts_with_triangle(points, &mut ids) {
+            ids.sort_unstable_by(|&p, &q| by_coordinates(points[p], points[q]));
+            return Self {
+                triangulation: Spade::new(),
+                ids: Vec::new(),
+                centres: Vec::new(),
+                row: ids,
+            };
+        }
         let mut triangulation = Spade::with_capacity(ids.len(), 3 * ids.len(), 2 * ids.len());
         let mut previous = None;
         for &id in &ids {
@@ -82,6 +98,7 @@ impl Delaunay {
             triangulation,
             ids,
             centres,
+            row: Vec::new(),
         }
     }
 
@@ -101,7 +118,12 @@ impl Delaunay {
 
     /// The edges, each once.
     pub fn edges(&self) -> impl Iterator<Item = DualEdge> + '_ {
-        self.triangulation.undirected_edges().map(|edge| {
+        let on_a_line = self.row.windows(2).map(|pair| DualEdge {
+            ends: [pair[0], pair[1]],
+            apexes: [None; 2],
+            centres: [None; 2],
+        });
+        let edges = self.triangulation.undirected_edges().map(|edge| {
             let edge = edge.as_directed();
             let sides = [edge, edge.rev()];
             DualEdge {
@@ -109,7 +131,8 @@ impl Delaunay {
                 apexes: sides.map(|side| Some(self.id(side.opposite_vertex()?.index()))),
                 centres: sides.map(|side| self.centre_left_of(side)),
             }
-        })
+        });
+        edges.chain(on_a_line)
     }
 
     fn id(&self, vertex: usize) -> PointId {
@@ -120,6 +143,20 @@ impl Delaunay {
         // spade's face 0 is the outer one; the inner faces follow.
         Some(self.centres[edge.face().as_inner()?.index() - 1])
     }
+}
+
+/// Moves the first point that is not on the line through the first two behind them; false if all
+/// points are on one line.
+fn starts_with_triangle(points: &PointSet, ids: &mut [PointId]) -> bool {
+    let [a, b, rest @ ..] = ids else { return false };
+    let (a, b) = (points[*a], points[*b]);
+    let corner = rest
+        .iter()
+        .position(|&id| orient2d(a, b, points[id]) != 0.0);
+    if let Some(corner) = corner {
+        rest[..=corner].rotate_right(1);
+    }
+    corner.is_some()
 }
 
 /// The circumcentre, with the area from the exact predicate: a sliver is not mistaken for a line.

@@ -106,3 +106,30 @@ fn voronoi_vertices_of_the_largest_and_smallest_coordinates_are_finite() {
     assert!(delaunay.triangles().count() > 0);
     assert!(delaunay.voronoi_vertices().iter().all(|v| v.is_finite()));
 }
+
+/// Spade would look at every point of the line for every other: a second, where this takes a millisecond.
+#[test]
+fn points_on_a_line_are_joined_in_their_order() {
+    let count = 20_000u32;
+    let on_a_line = (0..count).map(|i| DVec2::new(f64::from(i * 7_919 % count), 0.0));
+    let mut points: Vec<DVec2> = on_a_line.map(|p| DVec2::new(p.x, p.x / 4.0)).collect();
+    let along = |points: &[DVec2]| {
+        let set = PointSet::new(points.to_vec()).unwrap();
+        let delaunay = Delaunay::new(&set);
+        let steps = delaunay.edges().map(|e| {
+            assert_eq!((e.apexes, e.centres), ([None; 2], [None; 2]));
+            let [a, b] = e.ends.map(|id| set[id].x);
+            b - a
+        });
+        (
+            delaunay.triangles().count(),
+            steps.filter(|&s| s == 1.0).count(),
+        )
+    };
+    assert_eq!(along(&points), (0, points.len() - 1));
+
+    // One point beside it, and every other makes a triangle with it.
+    points.push(DVec2::new(0.0, 9.0));
+    let set = PointSet::new(points).unwrap();
+    assert_eq!(Delaunay::new(&set).triangles().count(), count as usize - 1);
+}
