@@ -13,6 +13,26 @@ pub(crate) fn integers<const N: usize>(points: [DVec2; N]) -> ([Vector; N], i32)
     (points.map(|p| integer(p, exponent)), exponent)
 }
 
+/// Where points lie as seen from the first one, in units of the power of two that makes all integers, if
+/// these are below 2^18, as on a grid: polynomials of degree 6 in their differences fit into 128 bits.
+pub(crate) fn small_integers<const N: usize>(points: [DVec2; N]) -> Option<[[i128; 2]; N]> {
+    const SMALL: f64 = 262_144.0;
+    let exponent = common_exponent(&points);
+    let unit = 2f64.powi(exponent);
+    let mut integers = [[0; 2]; N];
+    for (integer, point) in integers.iter_mut().zip(points) {
+        // Exact if it is small: both are multiples of the unit.
+        let offset = (point - points[0]) / unit;
+        if offset.abs().max_element() >= SMALL {
+            return None;
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "an integer below 2^18")]
+        let as_integer = |x: f64| x as i128;
+        *integer = offset.to_array().map(as_integer);
+    }
+    Some(integers)
+}
+
 /// The largest power of two, by its exponent, of which all coordinates are multiples.
 pub(crate) fn common_exponent(points: &[DVec2]) -> i32 {
     let coordinates = points.iter().flat_map(|p| [p.x, p.y]);

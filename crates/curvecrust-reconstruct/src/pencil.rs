@@ -1,11 +1,14 @@
 //! The pencil of discs through two samples, and how a Voronoi vertex cuts it.
 
+use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use num_bigint::BigInt;
 
-use crate::exact::{Vector, cross, dot, integers, is_negative, is_positive, sub};
+use crate::exact::{Vector, cross, dot, integers, is_negative, is_positive, small_integers, sub};
 use crate::voronoi_vertex::VoronoiVertex;
 
 /// Half a unit in the last place of 1: the relative error of one operation.
@@ -19,6 +22,8 @@ pub(crate) struct Pencil<'a> {
     p: DVec2,
     /// q - p.
     across: DVec2,
+    /// The exact cotangents computed so far, by vertex: on a grid all are asked for again and again.
+    exact: RefCell<HashMap<*const VoronoiVertex, Rc<Cotangent>>>,
 }
 
 /// Where a Voronoi vertex cuts a pencil: discs with larger cotangents hold it if it is to the left
@@ -51,15 +56,16 @@ impl<'a> Pencil<'a> {
             ends,
             p,
             across: q - p,
+            exact: RefCell::default(),
         }
     }
 
-    /// Centre and squared radius of a disc, the radius enlarged by more than all rounding errors,
-    /// so that the disc holds the rounded place of each vertex inside the true disc; `None` beyond
-    /// the range of doubles.
-    pub(crate) fn disc(&self, cotangent: f64) -> Option<(DVec2, f64)> {
+    /// Centre, as seen from an origin, and squared radius of a disc, the radius enlarged by more than
+    /// all rounding errors, so that the disc holds the rounded place of each vertex inside the true
+    /// disc; `None` beyond the range of doubles.
+    pub(crate) fn disc(&self, cotangent: f64, origin: DVec2) -> Option<(DVec2, f64)> {
         let to_centre = (self.across + cotangent * self.across.perp()) / 2.0;
-        let centre = self.p + to_centre;
+        let centre = (self.p - origin) + to_centre;
         // A vertex errs by 2^-20 of its distance to a sample, so by 2^-19 of the radius.
         let reach = to_centre.length() * (1.0 + 2f64.powi(-18)) + 64.0 * U * centre.length();
         let squared = reach * reach;
@@ -89,13 +95,14 @@ impl<'a> Pencil<'a> {
                 Effect::Below(cut)
             };
         }
-        let Cotangent { cosine, sine } = self.exact(vertex);
+        let exact = self.exact(vertex);
+        let Cotangent { cosine, sine } = &*exact;
         let cut = Cut::new(vertex, 0.0, f64::INFINITY);
-        if is_positive(&sine) {
+        if is_positive(sine) {
             Effect::Above(cut)
-        } else if is_negative(&sine) {
+        } else if is_negative(sine) {
             Effect::Below(cut)
-        } else if is_negative(&cosine) {
+        } else if is_negative(cosine) {
             Effect::Everywhere
         } else {
             Effect::Nowhere
@@ -113,15 +120,40 @@ impl<'a> Pencil<'a> {
         } else {
             let (a, b) = (self.exact(a.vertex), self.exact(b.vertex));
             let same_side = is_positive(&a.sine) == is_positive(&b.sine);
-            let order = (a.cosine * &b.sine).cmp(&(b.cosine * &a.sine));
+            let order = (&a.cosine * &b.sine).cmp(&(&b.cosine * &a.sine));
             if same_side { order } else { order.reverse() }
         }
     }
 
+    fn exact(&self, vertex: &VoronoiVertex) -> Rc<Cotangent> {
+        let mut known = self.exact.borrow_mut();
+        let entry = known.entry(std::ptr::from_ref(vertex));
+        let exact = entry.or_insert_with(|| Rc::new(self.compute_exact(vertex)));
+        Rc::clone(exact)
+    }
+
     /// The cotangent under which the vertex sees pq, from the coordinates of its triangle.
-    fn exact(&self, vertex: &VoronoiVertex) -> Cotangent {
+    fn compute_exact(&self, vertex: &VoronoiVertex) -> Cotangent {
         let ([p, q], [a, b, c]) = (self.ends, vertex.corners);
-        let ([p, q, a, b, c], _) = integers([p, q, a, b, c].map(|id| self.points[id]));
+        let points = [p, q, a, b, c].map(|id| self.points[id]);
+        if let Some([p, q, a, b, c]) = small_integers(points) {
+            let sub = |u: [i128; 2], v: [i128; 2]| [u[0] - v[0], u[1] - v[1]];
+            let dot = |u: [i128; 2], v: [i128; 2]| u[0] * v[0] + u[1] * v[1];
+            let cross = |u: [i128; 2], v: [i128; 2]| u[0] * v[1] - u[1] * v[0];
+            let (across, to_corner) = (sub(q, p), sub(a, p));
+            let (ab, ac) = (sub(b, a), sub(c, a));
+            let (bb, cc) = (dot(ab, ab), dot(ac, ac));
+            let weight = 2 * cross(ab, ac);
+            let place = [
+                to_corner[0] * weight + ac[1] * bb - ab[1] * cc,
+                to_corner[1] * weight + ab[0] * cc - ac[0] * bb,
+            ];
+            return Cotangent {
+                cosine: dot(place, sub(place, across.map(|x| x * weight))).into(),
+                sine: (cross(across, place) * weight).into(),
+            };
+        }
+        let ([p, q, a, b, c], _) = integers(points);
         let (across, to_corner) = (sub(&q, &p), sub(&a, &p));
         let (ab, ac) = (sub(&b, &a), sub(&c, &a));
         let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));

@@ -67,9 +67,9 @@ impl VoronoiVertex {
         self.offset.length()
     }
 
-    /// Its coordinates, rounded.
-    pub(crate) fn position(&self) -> DVec2 {
-        self.corner + self.offset
+    /// Where it is as seen from an origin, rounded.
+    pub(crate) fn position(&self, origin: DVec2) -> DVec2 {
+        (self.corner - origin) + self.offset
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use curvecrust_geometry::{PointId, PointSet};
+use curvecrust_geometry::{DVec2, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 use rstar::RTree;
@@ -17,6 +17,8 @@ type Tree = RTree<GeomWithData<[f64; 2], usize>>;
 /// The Voronoi vertices of a point set, ready for searches.
 pub(crate) struct VoronoiVertices<'a> {
     points: &'a PointSet,
+    /// A point of the set, from which the trees see all others: far from 0 there are no digits left.
+    origin: DVec2,
     vertices: Vec<VoronoiVertex>,
     /// Those nearer to samples than the length of the longest edge to be asked about: where
     /// samples are dense these are few, and no other lies in the smallest disc of an edge.
@@ -36,9 +38,11 @@ impl<'a> VoronoiVertices<'a> {
             .collect();
         // A little more, for rounding.
         let reach = longest * (1.0 + 2f64.powi(-10));
+        let origin = points.points().first().copied().unwrap_or_default();
         Self {
             points,
-            near: tree_of(&vertices, |v| v.radius() <= reach),
+            origin,
+            near: tree_of(&vertices, origin, |v| v.radius() <= reach),
             vertices,
             far: OnceLock::new(),
             reach,
@@ -83,7 +87,7 @@ impl<'a> VoronoiVertices<'a> {
     fn inside(&self, pencil: &Pencil<'_>, cotangent: f64) -> impl Iterator<Item = &VoronoiVertex> {
         let far = self
             .far
-            .get_or_init(|| tree_of(&self.vertices, |v| v.radius() > self.reach));
+            .get_or_init(|| tree_of(&self.vertices, self.origin, |v| v.radius() > self.reach));
         let near = self.in_disc(&self.near, pencil, cotangent);
         near.chain(self.in_disc(far, pencil, cotangent))
     }
@@ -94,7 +98,7 @@ impl<'a> VoronoiVertices<'a> {
         pencil: &Pencil<'_>,
         cotangent: f64,
     ) -> impl Iterator<Item = &'t VoronoiVertex> {
-        let disc = pencil.disc(cotangent);
+        let disc = pencil.disc(cotangent, self.origin);
         // A disc too large for a tree holds them all.
         let all = disc.is_none().then(|| tree.iter());
         let within = disc.map(|(centre, reach_squared)| {
@@ -108,9 +112,13 @@ impl<'a> VoronoiVertices<'a> {
     }
 }
 
-fn tree_of(vertices: &[VoronoiVertex], wanted: impl Fn(&VoronoiVertex) -> bool) -> Tree {
+fn tree_of(
+    vertices: &[VoronoiVertex],
+    origin: DVec2,
+    wanted: impl Fn(&VoronoiVertex) -> bool,
+) -> Tree {
     let wanted = vertices.iter().enumerate().filter(|(_, v)| wanted(v));
-    let items = wanted.map(|(index, v)| GeomWithData::new(v.position().into(), index));
+    let items = wanted.map(|(index, v)| GeomWithData::new(v.position(origin).into(), index));
     RTree::bulk_load(items.collect())
 }
 
