@@ -212,7 +212,7 @@ impl Stop {
         let linear = |a: f64, b: f64| a + t * (b - a);
         (t > 0.0 && t < 1.0).then(|| Self {
             at: self.at.lerp(next.at, t),
-            lfs: linear(self.lfs, next.lfs),
+            lfs: between(self.lfs, next.lfs, t),
             distances: [0, 1].map(|i| linear(self.distances[i], next.distances[i])),
         })
     }
@@ -296,7 +296,7 @@ impl<'a> Walk<'a> {
         let (mut p, mut lfs) = (self.gaps.point(at), self.gaps.lfs(at));
         if t > 0.0 {
             p = p.lerp(self.gaps.point(at + 1), t);
-            lfs += t * (self.gaps.lfs(at + 1) - lfs);
+            lfs = between(lfs, self.gaps.lfs(at + 1), t);
         }
         let distance = |s: Option<DVec2>| s.map_or(f64::INFINITY, |s| s.distance(p));
         Stop {
@@ -343,6 +343,15 @@ impl<'a> Walk<'a> {
         self.at_most = self.at_most.max(at_most);
         self.least_lfs = self.least_lfs.min(run.lfs);
         self.bulge = self.bulge.max(run.bulge);
+    }
+}
+
+/// The lfs a share of the way from one place to another; infinite where both are, as along a line.
+fn between(before: f64, after: f64, t: f64) -> f64 {
+    if before < f64::INFINITY && after < f64::INFINITY {
+        before + t * (after - before)
+    } else {
+        before.min(after)
     }
 }
 

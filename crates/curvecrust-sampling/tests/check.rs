@@ -224,3 +224,20 @@ fn a_closed_curve_may_begin_anywhere_but_once() {
         );
     }
 }
+
+/// Found by fuzzing: between two infinite lfs was NaN, and no sample was near enough to it.
+#[test]
+fn a_straight_line_needs_no_samples_between_its_ends() {
+    let line = Curve::from_path_data("M 0 0 H 3").unwrap();
+    let measured = measure(&line, Discretisation::PerSegment(3), Estimator::Voronoi).unwrap();
+    let ends = [DVec2::ZERO, DVec2::new(3.0, 0.0)];
+    let inner = [DVec2::new(0.4, 0.0), DVec2::new(1.7, 0.0)];
+    for samples in [ends, inner] {
+        let placed = PlacedSamples::project(&measured, &samples, 0.0)
+            .unwrap()
+            .samples;
+        assert_eq!(effective_epsilon(&measured, &placed).unwrap().bound, 0.0);
+        let verdict = check(&measured, &placed, Condition::rho(0.1).unwrap());
+        assert!(verdict.holds() && verdict.certain);
+    }
+}
