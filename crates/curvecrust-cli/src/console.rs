@@ -27,7 +27,8 @@ impl Console {
 
     /// Why the command could not be carried out.
     pub(crate) fn error(&self, error: &anyhow::Error) {
-        let _ = writeln!(std::io::stderr(), "error: {error:#}");
+        let message = printable(&format!("error: {error:#}"));
+        let _ = writeln!(std::io::stderr(), "{message}");
     }
 
     /// Carries out a piece of work, which may tell how much of how much is done. If it takes longer
@@ -47,6 +48,19 @@ impl Console {
             progress.bar.set_position(done as u64);
         })
     }
+}
+
+/// A message, which may quote a file, without what would steer a terminal.
+pub(crate) fn printable(message: &str) -> String {
+    let mut printable = String::with_capacity(message.len());
+    for c in message.chars() {
+        if c.is_control() && c != '\n' {
+            printable.extend(c.escape_default());
+        } else {
+            printable.push(c);
+        }
+    }
+    printable
 }
 
 /// A bar, and the thread that shows it until it is told to stop, which dropping does.

@@ -70,7 +70,10 @@ pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
         .and_then(|source| points::read_source(source, Format::of_name(&path)));
     match points {
         Ok(points) => Ok(points.len()),
-        Err(flaw) => Err(PointsError::new(path.display().to_string(), flaw).to_string()),
+        Err(flaw) => {
+            let error = PointsError::new(path.display().to_string(), flaw);
+            Err(console::printable(&error.to_string()))
+        }
     }
 }
 

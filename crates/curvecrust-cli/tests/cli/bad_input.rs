@@ -318,3 +318,11 @@ fn stdin_closed() {
         .into();
     assert_eq!(run.error(), "error: stdin: there are no points");
 }
+
+/// Found by fuzzing: a message quotes the file, which may hold what steers a terminal.
+#[test]
+fn what_steers_a_terminal_is_not_printed() {
+    let message = error("p.svg", "<svg\u{1b}[2J/>");
+    assert!(message.contains("\\u{1b}"), "{message}");
+    assert!(!message.chars().any(char::is_control), "{message}");
+}
