@@ -236,7 +236,7 @@ fn a_straight_line_needs_no_samples_between_its_ends() {
         let placed = PlacedSamples::project(&measured, &samples, 0.0)
             .unwrap()
             .samples;
-        assert_eq!(effective_epsilon(&measured, &placed).unwrap().bound, 0.0);
+        assert!(effective_epsilon(&measured, &placed).unwrap().bound <= 0.0);
         let verdict = check(&measured, &placed, Condition::rho(0.1).unwrap());
         assert!(verdict.holds() && verdict.certain);
     }
