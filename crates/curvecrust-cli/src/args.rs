@@ -226,9 +226,9 @@ pub(crate) struct Lfs {
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example: the names alone
-  curvecrust algorithms --json | jq -r '.[].name'")]
+  curvecrust algorithms --json | jq -r '.algorithms[].name'")]
 pub(crate) struct Algorithms {
-    /// Print one JSON array to stdout
+    /// Print one JSON object to stdout
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -25,6 +25,17 @@ pub struct Ball {
     pub radius: f64,
 }
 
+/// A name beside a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// The point.
+    pub at: DVec2,
+    /// On which side of it the name stands: a direction, of any length.
+    pub towards: DVec2,
+    /// The name.
+    pub name: String,
+}
+
 /// What is drawn in a panel, from the back to the front.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
@@ -48,8 +59,8 @@ pub enum Layer {
     Region(Vec<DVec2>),
     /// Lines and circles that help to see, dashed.
     Construction(Vec<Polyline>),
-    /// Names, each beside its point.
-    Labels(Vec<(DVec2, String)>),
+    /// Names beside points.
+    Labels(Vec<Label>),
 }
 
 /// A picture and what it shows.

@@ -6,7 +6,13 @@ use curvecrust::reconstruct::{ALGORITHMS, AlgorithmInfo, Guarantee};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// One algorithm, as `--json` prints it.
+/// What `--json` prints; the schema is stable, and in `docs/formats.md`.
+#[derive(Serialize)]
+struct Object {
+    algorithms: Vec<Entry>,
+}
+
+/// One algorithm.
 #[derive(Serialize)]
 struct Entry {
     name: &'static str,
@@ -19,8 +25,8 @@ struct Entry {
 pub(crate) fn run(args: &args::Algorithms) -> anyhow::Result<Outcome> {
     let infos = ALGORITHMS.iter().map(|algorithm| algorithm.info());
     if args.json {
-        let entries: Vec<Entry> = infos.map(entry).collect();
-        output::print_json(&entries)?;
+        let algorithms = infos.map(entry).collect();
+        output::print_json(&Object { algorithms })?;
     } else {
         output::to_stdout(|out| infos.into_iter().try_for_each(|info| write(out, info)))?;
     }
@@ -40,8 +46,11 @@ fn entry(info: AlgorithmInfo) -> Entry {
 fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     let entry = entry(info);
     let guarantees = match &entry.guarantees[..] {
-        [] => String::from("no known condition"),
-        some => some.join(" or "),
+        [] => String::from("no condition is known under which it is correct"),
+        some => format!(
+            "correct for closed smooth curves with {}",
+            some.join(" or ")
+        ),
     };
     let termini = if entry.honours_termini {
         "; takes --terminus"
@@ -50,9 +59,5 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     };
     writeln!(out, "{}", entry.name)?;
     writeln!(out, "    {}", entry.citation)?;
-    writeln!(
-        out,
-        "    correct for closed smooth curves with {guarantees}; {}{termini}",
-        entry.cost
-    )
+    writeln!(out, "    {guarantees}; {}{termini}", entry.cost)
 }

@@ -119,7 +119,7 @@ fn every_algorithm_is_listed_and_runs() {
     let points = fixture("points/open-and-closed.xy");
     let listed = json(&folder.run("algorithms --json").fine());
     let text = folder.run("algorithms").fine();
-    for entry in listed.as_array().unwrap() {
+    for entry in listed["algorithms"].as_array().unwrap() {
         let name = entry["name"].as_str().unwrap();
         assert!(text.contains(&format!("{name}\n")), "{text}");
         let line = format!(

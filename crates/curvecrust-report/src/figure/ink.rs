@@ -13,7 +13,7 @@ pub const STYLE: &str = "\
 .caption, .legend, .label { font: 17px 'Noto Sans', 'DejaVu Sans', sans-serif; fill: #1c1c1c } \
 .legend { font-size: 15px } \
 .caption { text-anchor: middle } \
-.label { font-style: italic } \
+.label { font-style: italic; text-anchor: middle; stroke: #fff; stroke-width: 4; stroke-linejoin: round; paint-order: stroke } \
 .curve, .axis, .edges, .construction, .leaf, .junction { fill: none; stroke-linejoin: round; stroke-linecap: round } \
 .curve { stroke: #b4b4b4; stroke-width: 5 } \
 .axis { stroke: #3f86d6; stroke-width: 1.2 } \
@@ -29,11 +29,15 @@ pub const STYLE: &str = "\
 .curve { stroke: #666d76 } \
 .axis { stroke: #6ab0f5 } \
 .edges { stroke: #ff7b6b } \
+.label { stroke: #15181c } \
 .point { fill: #f6f6f6 } .mark { fill: #15181c; stroke: #f6f6f6 } \
 .leaf, .junction { stroke: #7cc0ff } \
 .ball { fill: #3b8fce; stroke: #9fd0f5 } \
 .region { fill: #ff6a55; stroke: #ff9d8f } \
 .construction { stroke: #b9bec5 } }";
+
+/// From a point to the middle of its name, in pixels.
+const BESIDE: f64 = 16.0;
 
 /// Where data go on the page: `low` to `at`.
 #[derive(Clone, Copy)]
@@ -120,11 +124,7 @@ pub(super) fn draw(layer: &Layer, place: Place) -> Group {
         Layer::MedialAxis(segments) => group.add(path("axis", strokes(segments, place))),
         Layer::Edges(segments) => group.add(path("edges", strokes(segments, place))),
         Layer::Region(points) => group.add(path("region", line(Data::new(), points, true, place))),
-        Layer::Points(points) => {
-            // Smaller where many are, so that they are told apart.
-            let radius = 36.0 / (points.len().max(1) as f64).sqrt();
-            circles(points, "point", rounded(radius.clamp(2.0, 3.6)), place)
-        }
+        Layer::Points(points) => circles(points, "point", dot(points, place), place),
         Layer::Marks(points) => circles(points, "mark", 3.6, place),
         Layer::Leaves(points) => circles(points, "leaf", 8.0, place),
         Layer::Junctions(points) => points.iter().fold(group, |group, &p| {
@@ -138,12 +138,29 @@ pub(super) fn draw(layer: &Layer, place: Place) -> Group {
             let radius = rounded(ball.radius * place.scale);
             group.add(circle("ball", (x, y), radius))
         }),
-        Layer::Labels(labels) => labels.iter().fold(group, |group, (p, name)| {
-            let (x, y) = place.pixels(*p);
-            let text = Text::new(name.as_str()).set("class", "label");
-            group.add(text.set("x", rounded(x + 6.0)).set("y", rounded(y + 19.0)))
+        Layer::Labels(labels) => labels.iter().fold(group, |group, label| {
+            let (x, y) = place.pixels(label.at);
+            let aside = BESIDE * label.towards.normalize_or_zero();
+            let text = Text::new(label.name.as_str()).set("class", "label");
+            // Lower by half the height of a small letter.
+            let (x, y) = (rounded(x + aside.x), rounded(y + aside.y + 5.0));
+            group.add(text.set("x", x).set("y", y))
         }),
     }
+}
+
+/// The radius of the dots of points: smaller where many of them are close, so that they are told apart.
+fn dot(points: &[DVec2], place: Place) -> f64 {
+    let nearest = |p: &DVec2| {
+        let squared = points.iter().map(|q| p.distance_squared(*q));
+        squared.filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min)
+    };
+    let mut squared: Vec<f64> = points.iter().map(nearest).collect();
+    squared.sort_unstable_by(f64::total_cmp);
+    // Of ten dots one may touch another, and of fewer one pair.
+    let close = squared.get((squared.len() / 10).max(2)).copied();
+    let radius = place.scale * close.unwrap_or(f64::INFINITY).sqrt() / 2.2;
+    rounded(radius.clamp(2.0, 3.6))
 }
 
 fn path(class: &str, data: Data) -> Path {

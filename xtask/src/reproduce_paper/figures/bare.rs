@@ -112,8 +112,8 @@ pub(crate) fn figure_4(sets: &PointSets) -> Exhibit {
     let chains = ours.chains();
     let text = format!(
         "{} samples of four open arcs and three closed curves near each other, drawn for this project. Crust joins an arc with a closed \
-         curve. HNN-Crust joins nothing that lies apart and returns {} chains, {} of them closed; where an arc comes as near to a closed \
-         curve as that curve's samples to each other, it leaves a gap: of its {} leaves 8 are the ends of the arcs.",
+         curve. HNN-Crust keeps only edges that both ends choose, joins nothing that lies apart, and returns {} chains, {} of them \
+         closed: its {} leaves are the ends of the arcs.",
         points.len(),
         chains.len(),
         chains.iter().filter(|chain| chain.is_closed()).count(),

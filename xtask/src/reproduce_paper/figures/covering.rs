@@ -3,8 +3,8 @@
 use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface};
 use curvecrust::DVec2;
 use curvecrust::report::Exhibit;
-use curvecrust::report::figure::{Ball, Figure, Layer, Panel, Polyline};
-use std::f64::consts::TAU;
+use curvecrust::report::figure::{Ball, Figure, Label, Layer, Panel, Polyline};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, TAU};
 
 /// How many positions of a ball are drawn for a turn of its centre around a free disk.
 pub(super) const BALLS: u32 = 72;
@@ -38,17 +38,9 @@ fn panel(configuration: &Configuration) -> Panel {
         Surface::Disk => "the disk of lfs(y)",
         Surface::Axis => "the x axis",
     };
-    let names = [
-        (scene.s0 - DVec2::new(0.3, 0.0), "s0"),
-        (scene.x, "x"),
-        (DVec2::ZERO, "s1"),
-        (scene.y, "y"),
-        (scene.s2, "s2"),
-    ];
+    let labels = labels(&scene).into_iter();
     // Names that would stand on each other are left out, s0 and x for the smallest ratio.
-    let apart =
-        |&(_, name): &(DVec2, &str)| configuration.ratio > 0.01 || !["s0", "x"].contains(&name);
-    let names = names.into_iter().filter(apart);
+    let apart = |label: &Label| scene.s0.length() > 0.1 || !["s0", "x"].contains(&&*label.name);
     let balls = scene.rolling(BALLS).into_iter();
     let layers = vec![
         Layer::Balls(
@@ -64,16 +56,50 @@ fn panel(configuration: &Configuration) -> Panel {
         Layer::Curve(vec![(turned(curve(&scene)), false)]),
         Layer::Marks([scene.x, scene.y].map(page).to_vec()),
         Layer::Points([scene.s0, DVec2::ZERO, scene.s2].map(page).to_vec()),
-        Layer::Labels(names.map(|(p, name)| (page(p), name.to_owned())).collect()),
+        Layer::Labels(labels.filter(apart).collect()),
     ];
     Panel {
         caption: format!(
-            "ratio {:.3}, α {alpha:.1}°, β {beta:.1}°,\nrolling on {surface}",
-            configuration.ratio
+            "ratio {}, α {alpha:.1}°, β {beta:.1}°,\nrolling on {surface}",
+            written(configuration.ratio)
         ),
         frame: Some([DVec2::new(-2.65, -2.05), DVec2::new(2.2, 2.0)]),
         layers,
     }
+}
+
+/// A ratio as the paper has it.
+fn written(ratio: f64) -> String {
+    let named = [(1.0 / 3.0, "1/3"), (FRAC_1_SQRT_2, "1/√2")];
+    let known = named
+        .iter()
+        .find(|(value, _)| (ratio - value).abs() < 1e-12);
+    known.map_or_else(|| ratio.to_string(), |(_, name)| (*name).to_owned())
+}
+
+/// Names on the free side of the curve: below it left of s1, where balls are above, and outside on the
+/// right. That of x is beside the bisector, which runs below x.
+fn labels(scene: &Scene) -> [Label; 5] {
+    let [alpha, beta] = scene.angles;
+    let label = |name: &str, at: DVec2, towards: DVec2| Label {
+        at: page(at),
+        towards: page(towards),
+        name: name.to_owned(),
+    };
+    // Where the curve has turned by so much.
+    let below = |turn: f64| DVec2::from_angle(turn).rotate(DVec2::NEG_Y);
+    let (y_side, s2_side) = if beta > 0.0 {
+        (-below(-2.0 * beta), -below(-4.0 * beta))
+    } else {
+        (DVec2::NEG_Y, DVec2::new(1.0, -1.0))
+    };
+    [
+        label("s0", scene.s0, below(4.0 * alpha)),
+        label("x", scene.x, below(2.0 * alpha + 0.6)),
+        label("s1", DVec2::ZERO, below(FRAC_PI_4)),
+        label("y", scene.y, y_side),
+        label("s2", scene.s2, s2_side),
+    ]
 }
 
 /// Upwards in the geometry is downwards on the page.

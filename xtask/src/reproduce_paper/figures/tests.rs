@@ -61,10 +61,10 @@ fn bare_points_show_what_the_paper_says() {
     let none = "leaves 0, isolated 0, junctions 0";
     assert_eq!(three[1], format!("HNN-Crust: 20 edges\n{none}"));
     assert!(!three[0].ends_with(none), "{three:?}");
-    // Four arcs have eight ends; a closed curve that one of them comes too near to has a gap.
+    // Four arcs have eight ends.
     let four = captions(&figures, 4);
     assert!(
-        four[2].ends_with("leaves 10, isolated 0, junctions 0"),
+        four[2].ends_with("leaves 8, isolated 0, junctions 0"),
         "{four:?}"
     );
     assert!(four[1].ends_with("junctions 2"), "{four:?}");
