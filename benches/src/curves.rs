@@ -28,12 +28,12 @@ pub fn dense_one_curve(count: usize) -> Result<DenseCurve, Box<dyn Error>> {
     Ok(DenseCurve::new(points, params.collect(), vec![whole])?)
 }
 
-/// The whole of lfs (Delaunay, axis, all queries): its time, its growth and its precision; and
-/// sampling with lfs given. One thread.
+/// The whole of lfs (Delaunay, axis, all queries): its time, its growth and its precision. One
+/// thread.
 ///
 /// # Errors
 /// None for these sizes.
-pub fn lfs_and_sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
+pub fn lfs(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
     let counts = [sizes.small, sizes.medium, sizes.large];
     let dense: Vec<DenseCurve> = counts
         .into_iter()
@@ -48,7 +48,7 @@ pub fn lfs_and_sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
     let times = medians((0..3).map(lfs).collect(), sizes.rounds.div_ceil(2));
     let [small, medium, large] = [0, 1, 2].map(|i| per_element(times[i], counts[i]));
     let exponent = (times[2] / times[0]).ln() / (counts[2] as f64 / counts[0] as f64).ln();
-    let mut rows = vec![
+    Ok(vec![
         Row {
             what: format!("lfs of one-curve {}, seconds", counts[1]),
             measured: format!("{medium} a point"),
@@ -73,16 +73,16 @@ pub fn lfs_and_sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
             figure: 1e4 * difference(&dense[0])?,
             goal: Goal::AtMost(1.0),
         },
-    ];
-    rows.extend(sampling(
-        &Measured::new(dense[2].clone(), Estimator::Voronoi)?,
-        sizes.rounds,
-    )?);
-    Ok(rows)
+    ])
 }
 
-fn sampling(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
-    let count = measured.dense().len();
+/// Sampling with lfs given; one thread.
+///
+/// # Errors
+/// None for these sizes.
+pub fn sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
+    let count = sizes.large;
+    let measured = &Measured::new(dense_one_curve(count)?, Estimator::Voronoi)?;
     let conditions = [
         ("rho < 0.9", Condition::rho(0.9)?),
         ("epsilon < 0.47", Condition::epsilon(0.47)?),
@@ -94,7 +94,7 @@ fn sampling(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Erro
             Task::new("greedy", || sample_greedy(measured, condition)),
             Task::new("fewest", || sample_fewest(measured, condition, &|_, _| {})),
         ];
-        let times = medians(tasks, rounds.div_ceil(3));
+        let times = medians(tasks, sizes.rounds.div_ceil(3));
         let row = |what: &str, seconds, goal| Row {
             what: format!("{what}, {name}, one-curve {count}, seconds"),
             measured: format!("{} a point", per_element(seconds, count)),

@@ -16,6 +16,8 @@ pub(crate) struct Args {
     /// Without dispatch at run time: only the neighbour kernel, as for the oldest processors
     #[arg(long)]
     no_dispatch: bool,
+    /// Only these stages: kiddo, neighbours, growth, threads, delaunay, lfs, sampling
+    stages: Vec<String>,
 }
 
 /// Builds and runs the program.
@@ -33,9 +35,11 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     if args.no_dispatch {
         cargo.args(["--features", "portable"]);
     }
+    cargo.arg("--");
     if args.quick {
-        cargo.args(["--", "quick"]);
+        cargo.arg("quick");
     }
+    cargo.args(&args.stages);
     let status = cargo.status().context("cannot run cargo")?;
     Ok(ExitCode::from(if status.success() { 0 } else { 2 }))
 }

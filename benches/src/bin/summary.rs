@@ -1,8 +1,9 @@
-//! Runs all comparisons, prints the table of medians and ratios, and writes it to
-//! `target/bench/summary.md` and `.json`; with the argument `quick`, at a tenth of the sizes.
+//! Runs comparisons, prints the table of medians and ratios, and writes it to
+//! `target/bench/summary.md` and `.json`.
 //!
-//! Built with the feature `portable`, only the neighbour kernel is measured, and the files are named
-//! `summary-no-dispatch`.
+//! Arguments are stages to run, all if none is named; and `quick`, for a tenth of the sizes. Built
+//! with the feature `portable`, there are only the stages of the neighbour kernel, and the files are
+//! named `summary-no-dispatch`.
 
 #![allow(
     clippy::print_stdout,
@@ -16,7 +17,7 @@ use std::path::Path;
 use curvecrust_benches::comparison::{Row, markdown};
 use curvecrust_benches::stages::{self, Sizes};
 use curvecrust_benches::{curves, machine};
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -27,34 +28,79 @@ struct Summary {
     rows: Vec<Row>,
 }
 
+/// One thread and two.
+type Pools = [ThreadPool; 2];
+type Rows = Result<Vec<Row>, String>;
+/// A name, and what measures it.
+type Stage = (&'static str, fn(Sizes, &Pools) -> Rows);
+
+/// In the order of the table; the first two are those of the neighbour kernel.
+const STAGES: [Stage; 7] = [
+    ("kiddo", |sizes, pools| {
+        on_one(pools, || stages::against_kiddo(sizes))
+    }),
+    ("neighbours", |sizes, pools| {
+        on_one(pools, || stages::alone(sizes))
+    }),
+    ("growth", |sizes, pools| {
+        on_one(pools, || stages::growth(sizes))
+    }),
+    ("threads", |sizes, pools| {
+        stages::two_threads(sizes, pools).map_err(|e| e.to_string())
+    }),
+    ("delaunay", |sizes, pools| {
+        on_one(pools, || stages::delaunay(sizes))
+    }),
+    ("lfs", |sizes, pools| on_one(pools, || curves::lfs(sizes))),
+    ("sampling", |sizes, pools| {
+        on_one(pools, || curves::sampling(sizes))
+    }),
+];
+
+/// Runs a stage on one thread; the pool takes no boxed error over from it.
+fn on_one<E: ToString>(
+    [one, _]: &Pools,
+    stage: impl FnOnce() -> Result<Vec<Row>, E> + Send,
+) -> Rows {
+    one.install(|| stage().map_err(|e| e.to_string()))
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let sizes = match std::env::args().nth(1).as_deref() {
-        None => Sizes::FULL,
-        Some("quick") => Sizes::QUICK,
-        Some(other) => {
-            return Err(format!("unknown argument {other}: say `quick` or nothing").into());
+    let dispatch = !cfg!(feature = "portable");
+    let stages = if dispatch { &STAGES[..] } else { &STAGES[..2] };
+    let mut sizes = Sizes::FULL;
+    let mut wanted = Vec::new();
+    for argument in std::env::args().skip(1) {
+        if argument == "quick" {
+            sizes = Sizes::QUICK;
+        } else if stages.iter().any(|(name, _)| *name == argument) {
+            wanted.push(argument);
+        } else {
+            let names: Vec<&str> = stages.iter().map(|(name, _)| *name).collect();
+            return Err(format!(
+                "unknown argument {argument}: say `quick` or some of {}",
+                names.join(", ")
+            )
+            .into());
         }
-    };
+    }
     let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
     let pools = [pool(1)?, pool(2)?];
-    let [one, _] = &pools;
-    let dispatch = !cfg!(feature = "portable");
-    let mut rows = one.install(|| stages::against_kiddo(sizes))?;
-    rows.extend(one.install(|| stages::alone(sizes))?);
-    if dispatch {
-        rows.extend(one.install(|| stages::growth(sizes))?);
-        rows.extend(stages::two_threads(sizes, &pools)?);
-        rows.extend(one.install(|| stages::delaunay(sizes))?);
-        // The pool takes no boxed error over from its thread.
-        let curves = one.install(|| curves::lfs_and_sampling(sizes).map_err(|e| e.to_string()));
-        rows.extend(curves?);
+    let mut rows = Vec::new();
+    for (name, run) in stages {
+        if wanted.is_empty() || wanted.iter().any(|w| w == name) {
+            rows.extend(run(sizes, &pools)?);
+        }
     }
-    let summary = Summary {
+    write(&Summary {
         processor: machine::processor(),
         cores: machine::cores(),
         commit: machine::commit(),
         rows,
-    };
+    })
+}
+
+fn write(summary: &Summary) -> Result<(), Box<dyn Error>> {
     let text = format!(
         "{}, {} cores, commit {}\n\n{}",
         summary.processor,
@@ -63,10 +109,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         markdown(&summary.rows)
     );
     let folder = Path::new("target/bench");
-    let name = if dispatch {
-        "summary"
-    } else {
+    let name = if cfg!(feature = "portable") {
         "summary-no-dispatch"
+    } else {
+        "summary"
     };
     std::fs::create_dir_all(folder)?;
     std::fs::write(folder.join(name).with_extension("md"), &text)?;
