@@ -10,7 +10,7 @@
 
 use curvecrust_curve::DenseCurve;
 use curvecrust_geometry::{DVec2, PointSet, PointSetError, Segment, Similarity};
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_voronoi::Delaunay;
 
 use crate::crossing;
 use crate::error::MedialAxisError;
@@ -68,7 +68,8 @@ impl MedialAxis {
 
         let mut joined: Vec<bool> = (0..dense.len()).map(|i| dense.next(i).is_none()).collect();
         let mut edges = Vec::with_capacity(2 * dense.len());
-        for dual in Delaunay::new(&points).edges() {
+        let delaunay = Delaunay::new(&points);
+        for dual in delaunay.edges() {
             let [i, j] = dual.ends.map(|id| id.index());
             let (forwards, backwards) = (dense.next(i) == Some(j), dense.next(j) == Some(i));
             if forwards {
@@ -80,7 +81,8 @@ impl MedialAxis {
             if forwards || backwards {
                 continue;
             }
-            let segment = bounded(&dual, [points.points()[i], points.points()[j]]);
+            let sites = [points.points()[i], points.points()[j]];
+            let segment = bounded(delaunay.voronoi_edge(&dual), sites);
             if segment.distance(DVec2::splat(0.5)) < BEYOND {
                 let sites = [i, j];
                 edges.push(AxisEdge { segment, sites });
@@ -134,12 +136,12 @@ impl MedialAxis {
 
 /// The Voronoi edge as a segment, for sites in the unit box: no point of the box has its closest
 /// point on an unbounded edge beyond the cut.
-fn bounded(dual: &DualEdge, [a, b]: [DVec2; 2]) -> Segment {
+fn bounded(voronoi_edge: [Option<DVec2>; 2], [a, b]: [DVec2; 2]) -> Segment {
     let left = (b - a).perp().normalize_or_zero();
     let middle = a.midpoint(b);
     // The closest point of a ray to a point p of the box is no farther from p than its start is.
     let beyond = |start: DVec2, direction: DVec2| start + direction * (2.0 * start.length() + 4.0);
-    match dual.centres {
+    match voronoi_edge {
         [Some(l), Some(r)] => Segment::new(l, r),
         [Some(l), None] => Segment::new(l, beyond(l, -left)),
         [None, Some(r)] => Segment::new(beyond(r, left), r),

@@ -12,13 +12,12 @@
 //! edges of the hull would stay. Cost: that of the Delaunay triangulation, O(n log n), plus a
 //! search around each edge.
 
-use curvecrust_geometry::{EdgeSet, PointSet};
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
 use crate::one_step_crust::is_crust_edge;
-use crate::sight::edge_of;
 use crate::voronoi_vertices::VoronoiVertices;
 
 /// The edges of Crust.
@@ -29,20 +28,18 @@ use crate::voronoi_vertices::VoronoiVertices;
 #[must_use]
 pub fn crust(points: &PointSet) -> EdgeSet {
     let delaunay = Delaunay::new(points);
-    let candidates: Vec<DualEdge> = delaunay
+    let candidates: Vec<[PointId; 2]> = delaunay
         .edges()
         .filter(|dual| is_crust_edge(points, dual))
+        .map(|dual| dual.ends)
         .collect();
-    let length = |dual: &DualEdge| {
-        let [p, q] = dual.ends.map(|id| points[id]);
-        p.distance(q)
-    };
+    let length = |&[p, q]: &[PointId; 2]| points[p].distance(points[q]);
     let longest = candidates.iter().map(length).fold(0.0, f64::max);
     let vertices = VoronoiVertices::new(points, &delaunay, longest);
     let kept: Vec<_> = candidates
         .par_iter()
-        .filter(|dual| vertices.spare_a_disc_through(dual.ends))
-        .filter_map(edge_of)
+        .filter(|&&ends| vertices.spare_a_disc_through(ends))
+        .filter_map(|&[p, q]| Edge::new(p, q))
         .collect();
     EdgeSet::new(points.len(), kept)
 }

@@ -73,7 +73,7 @@ pub fn one_step_crust(points: &PointSet) -> CrustAndSkeleton {
         .partition(|dual| is_crust_edge(points, dual));
     let skeleton = anti
         .iter()
-        .filter_map(|dual| SkeletonEdge::dual_of(points, dual));
+        .filter_map(|dual| SkeletonEdge::dual_of(points, &delaunay, dual));
     CrustAndSkeleton {
         crust: EdgeSet::new(points.len(), crust.iter().filter_map(edge_of)),
         skeleton: Skeleton::new(points, skeleton.collect()),

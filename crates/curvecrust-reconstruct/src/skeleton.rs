@@ -1,7 +1,7 @@
 //! The skeleton that the one-step crust leaves over: a medial axis from samples alone.
 
 use curvecrust_geometry::{DVec2, PointId, PointSet, Segment};
-use curvecrust_voronoi::DualEdge;
+use curvecrust_voronoi::{Delaunay, DualEdge};
 use rayon::prelude::*;
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
@@ -30,8 +30,8 @@ pub enum SkeletonEnd {
 
 impl SkeletonEdge {
     /// The dual of a Delaunay edge; `None` if it is a whole line, which has no start.
-    pub(crate) fn dual_of(points: &PointSet, dual: &DualEdge) -> Option<Self> {
-        let ([p, q], [mut left, mut right]) = (dual.ends, dual.centres);
+    pub(crate) fn dual_of(points: &PointSet, delaunay: &Delaunay, dual: &DualEdge) -> Option<Self> {
+        let ([p, q], [mut left, mut right]) = (dual.ends, delaunay.voronoi_edge(dual));
         let sites = [p.min(q), p.max(q)];
         if p > q {
             (left, right) = (right, left);

@@ -62,11 +62,6 @@ impl VoronoiVertex {
         }
     }
 
-    /// Its distance to the corners, which are its nearest samples.
-    pub(crate) fn radius(&self) -> f64 {
-        self.offset.length()
-    }
-
     /// Where it is as seen from an origin, rounded.
     pub(crate) fn position(&self, origin: DVec2) -> DVec2 {
         (self.corner - origin) + self.offset

@@ -1,5 +1,7 @@
 //! Whether Voronoi vertices leave room for a disc that touches two samples.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 use curvecrust_geometry::{DVec2, PointId, PointSet};
@@ -11,42 +13,91 @@ use rstar::primitives::GeomWithData;
 use crate::pencil::{Cut, Effect, Pencil};
 use crate::voronoi_vertex::VoronoiVertex;
 
-/// The rounded place of a Voronoi vertex, and its index.
-type Tree = RTree<GeomWithData<[f64; 2], usize>>;
+/// Half a unit in the last place of 1: the relative error of one operation.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// Voronoi vertices by their rounded places.
+struct Indexed {
+    /// From where the tree sees all places: far from 0 there are no digits left.
+    origin: DVec2,
+    vertices: Vec<VoronoiVertex>,
+    tree: RTree<GeomWithData<[f64; 2], usize>>,
+}
+
+impl Indexed {
+    fn new(points: &PointSet, vertices: Vec<VoronoiVertex>) -> Self {
+        let origin = points.points().first().copied().unwrap_or_default();
+        let places = vertices.iter().map(|v| v.position(origin).into());
+        let items = places
+            .zip(0..)
+            .map(|(p, index)| GeomWithData::new(p, index));
+        Self {
+            origin,
+            tree: RTree::bulk_load(items.collect()),
+            vertices,
+        }
+    }
+
+    /// Visits all vertices in a disc of the pencil, and perhaps a few around it, until told to stop.
+    fn in_disc<'v>(
+        &'v self,
+        pencil: &Pencil<'_>,
+        cotangent: f64,
+        visit: &mut impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if self.vertices.is_empty() {
+            return ControlFlow::Continue(());
+        }
+        match pencil.disc(cotangent, self.origin) {
+            Some((centre, reach_squared)) => self
+                .tree
+                .locate_within_distance(centre.into(), reach_squared)
+                .try_for_each(|item| visit(&self.vertices[item.data])),
+            // A disc too large for a tree holds them all.
+            None => self.vertices.iter().try_for_each(visit),
+        }
+    }
+}
 
 /// The Voronoi vertices of a point set, ready for searches.
 pub(crate) struct VoronoiVertices<'a> {
     points: &'a PointSet,
-    /// A point of the set, from which the trees see all others: far from 0 there are no digits left.
-    origin: DVec2,
-    vertices: Vec<VoronoiVertex>,
-    /// Those nearer to samples than the length of the longest edge to be asked about: where
-    /// samples are dense these are few, and no other lies in the smallest disc of an edge.
-    near: Tree,
+    delaunay: &'a Delaunay,
+    /// Those that may lie in the smallest disc of an edge to be asked about: where samples are dense
+    /// these are few.
+    near: Indexed,
     /// All others, indexed if the smallest disc of some edge is not free.
-    far: OnceLock<Tree>,
+    far: OnceLock<Indexed>,
     reach: f64,
 }
 
 impl<'a> VoronoiVertices<'a> {
     /// For questions about edges up to a length.
-    pub(crate) fn new(points: &'a PointSet, delaunay: &Delaunay, longest: f64) -> Self {
-        let triangles: Vec<[PointId; 3]> = delaunay.triangles().collect();
-        let vertices: Vec<VoronoiVertex> = triangles
-            .par_iter()
-            .map(|&triangle| VoronoiVertex::new(points, triangle))
-            .collect();
-        // A little more, for rounding.
-        let reach = longest * (1.0 + 2f64.powi(-10));
-        let origin = points.points().first().copied().unwrap_or_default();
+    pub(crate) fn new(points: &'a PointSet, delaunay: &'a Delaunay, longest: f64) -> Self {
+        // What lies in the disc with diameter pq is no farther from p or q than |pq| / sqrt 2; and a
+        // little more, for rounding.
+        let reach = FRAC_1_SQRT_2 * longest * (1.0 + 2f64.powi(-10));
+        let near = delaunay
+            .triangles()
+            .filter(|&triangle| is_small(points, triangle, reach))
+            .map(|triangle| VoronoiVertex::new(points, triangle));
         Self {
             points,
-            origin,
-            near: tree_of(&vertices, origin, |v| v.radius() <= reach),
-            vertices,
+            delaunay,
+            near: Indexed::new(points, near.collect()),
             far: OnceLock::new(),
             reach,
         }
+    }
+
+    fn far(&self) -> &Indexed {
+        self.far.get_or_init(|| {
+            let triangles = self.delaunay.triangles();
+            let others = triangles.filter(|&t| !is_small(self.points, t, self.reach));
+            let others: Vec<[PointId; 3]> = others.collect();
+            let vertex = |&triangle| VoronoiVertex::new(self.points, triangle);
+            Indexed::new(self.points, others.par_iter().map(vertex).collect())
+        })
     }
 
     /// Whether some disc with both samples on its boundary has no Voronoi vertex inside, exactly.
@@ -56,17 +107,20 @@ impl<'a> VoronoiVertices<'a> {
     /// halves, until a disc is free or the ends of the range are too close to tell apart.
     pub(crate) fn spare_a_disc_through(&self, ends: [PointId; 2]) -> bool {
         let pencil = Pencil::new(self.points, ends);
-        if self.in_disc(&self.near, &pencil, 0.0).next().is_none() {
+        let stop_at_first = &mut |_: &VoronoiVertex| ControlFlow::Break(());
+        if self.near.in_disc(&pencil, 0.0, stop_at_first).is_continue() {
             return true;
         }
         let mut range = Range::default();
         while let Some(tried) = range.probe() {
-            for vertex in self.inside(&pencil, tried) {
+            self.in_disc(&pencil, tried, |vertex| {
                 range.apply(&pencil, vertex);
                 if range.surely_excludes(tried) {
-                    break;
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
                 }
-            }
+            });
             if range.surely_contains(tried) {
                 return true;
             }
@@ -76,50 +130,44 @@ impl<'a> VoronoiVertices<'a> {
         }
         // What is outside of the discs at both ends of a range is outside of all discs between.
         for end in range.outer_ends() {
-            for vertex in self.inside(&pencil, end) {
+            self.in_disc(&pencil, end, |vertex| {
                 range.apply(&pencil, vertex);
-            }
+                ControlFlow::Continue(())
+            });
         }
         !range.is_empty(&pencil)
     }
 
-    /// All vertices in a disc and perhaps a few around it.
-    fn inside(&self, pencil: &Pencil<'_>, cotangent: f64) -> impl Iterator<Item = &VoronoiVertex> {
-        let far = self
-            .far
-            .get_or_init(|| tree_of(&self.vertices, self.origin, |v| v.radius() > self.reach));
-        let near = self.in_disc(&self.near, pencil, cotangent);
-        near.chain(self.in_disc(far, pencil, cotangent))
-    }
-
-    fn in_disc<'t>(
-        &'t self,
-        tree: &'t Tree,
+    /// Visits all vertices in a disc, and perhaps a few around it, until told to stop.
+    fn in_disc<'v>(
+        &'v self,
         pencil: &Pencil<'_>,
         cotangent: f64,
-    ) -> impl Iterator<Item = &'t VoronoiVertex> {
-        let disc = pencil.disc(cotangent, self.origin);
-        // A disc too large for a tree holds them all.
-        let all = disc.is_none().then(|| tree.iter());
-        let within = disc.map(|(centre, reach_squared)| {
-            tree.locate_within_distance(centre.into(), reach_squared)
-        });
-        let found = within
-            .into_iter()
-            .flatten()
-            .chain(all.into_iter().flatten());
-        found.map(|item| &self.vertices[item.data])
+        mut visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
+    ) {
+        if self
+            .near
+            .in_disc(pencil, cotangent, &mut visit)
+            .is_continue()
+        {
+            let _ = self.far().in_disc(pencil, cotangent, &mut visit);
+        }
     }
 }
 
-fn tree_of(
-    vertices: &[VoronoiVertex],
-    origin: DVec2,
-    wanted: impl Fn(&VoronoiVertex) -> bool,
-) -> Tree {
-    let wanted = vertices.iter().enumerate().filter(|(_, v)| wanted(v));
-    let items = wanted.map(|(index, v)| GeomWithData::new(v.position(origin).into(), index));
-    RTree::bulk_load(items.collect())
+/// Whether the circumradius of a triangle is, up to rounding, at most `reach`: never false if it is.
+fn is_small(points: &PointSet, triangle: [PointId; 3], reach: f64) -> bool {
+    let [a, b, c] = triangle.map(|id| points[id]);
+    let (ab, ac, bc) = (b - a, c - a, c - b);
+    let [x, y, z] = [ab, ac, bc].map(DVec2::length);
+    // A circle is no smaller than its chords.
+    if x.max(y).max(z) > 2.0 * reach {
+        return false;
+    }
+    // Each product errs by 3 U of itself, their difference by one more.
+    let terms = (ab.x * ac.y).abs() + (ab.y * ac.x).abs();
+    let twice_area = ab.perp_dot(ac) + 8.0 * U * terms;
+    x * y * z <= 2.0 * reach * twice_area
 }
 
 /// The discs of a pencil that no vertex has ruled out, by their cotangents: from `low` to `high`,

@@ -1,15 +1,20 @@
 //! The triangulation, and every edge with its dual.
 
+use std::sync::OnceLock;
+
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, PointId, PointSet, orient2d};
-use spade::handles::{DirectedEdgeHandle, FaceHandle, InnerTag};
+use rayon::prelude::*;
+use spade::handles::{FaceHandle, InnerTag};
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 use crate::order::brio_order;
 
 type Spade = DelaunayTriangulation<Point2<f64>>;
-type SpadeEdge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), (), ()>;
 type SpadeTriangle<'a> = FaceHandle<'a, InnerTag, Point2<f64>, (), (), ()>;
+
+/// Triangles that make a task.
+const TASK: usize = 1 << 12;
 
 /// The Delaunay triangulation of a point set, with its Voronoi vertices.
 ///
@@ -28,7 +33,7 @@ type SpadeTriangle<'a> = FaceHandle<'a, InnerTag, Point2<f64>, (), (), ()>;
 /// assert_eq!(delaunay.edges().count(), 3);
 /// for edge in delaunay.edges() {
 ///     // One side is the circumcentre, the other is unbounded.
-///     let centre = edge.centres.into_iter().flatten().next();
+///     let centre = delaunay.voronoi_edge(&edge).into_iter().flatten().next();
 ///     assert_eq!(centre, Some(DVec2::new(2.0, 1.0)));
 /// }
 /// # Ok::<(), curvecrust_geometry::PointSetError>(())
@@ -38,15 +43,15 @@ pub struct Delaunay {
     triangulation: Spade,
     /// The ids of the points in order of insertion, which is the order of spade's vertices.
     ids: Vec<PointId>,
-    /// The circumcentres, in order of spade's inner faces.
-    centres: Vec<DVec2>,
+    /// The circumcentres, in order of spade's inner faces; not all who triangulate want them.
+    centres: OnceLock<Vec<DVec2>>,
     /// All points along the line that they lie on; empty, and the triangulation is not, if they lie
     /// on none.
     row: Vec<PointId>,
 }
 
-/// A Delaunay edge with what lies left and right of it, and its dual: the Voronoi edge between the
-/// cells of its ends.
+/// A Delaunay edge with what lies left and right of it. Its dual is the Voronoi edge between the
+/// cells of its ends: [`Delaunay::voronoi_edge`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DualEdge {
     /// The ends `a`, `b` of the Delaunay edge: the sites whose cells the Voronoi edge parts.
@@ -54,9 +59,8 @@ pub struct DualEdge {
     /// The third vertex of the triangle left and of the one right of the line from `a` to `b`;
     /// `None` where the hull leaves no triangle.
     pub apexes: [Option<PointId>; 2],
-    /// The circumcentres of the same triangles: the ends of the Voronoi edge. `None`: it is
-    /// unbounded on that side, a ray along the bisector, or a line if both are `None`.
-    pub centres: [Option<DVec2>; 2],
+    /// The same triangles, by their places in the order of [`Delaunay::triangles`].
+    pub triangles: [Option<usize>; 2],
 }
 
 impl Delaunay {
@@ -77,27 +81,29 @@ impl Delaunay {
             return Self {
                 triangulation: Spade::new(),
                 ids: Vec::new(),
-                centres: Vec::new(),
+                centres: OnceLock::new(),
                 row: ids,
             };
         }
+        // All at once: one by one, every insertion would wait for memory.
+        let places: Vec<Point2<f64>> = ids
+            .iter()
+            .map(|&id| Point2::new(points[id].x, points[id].y))
+            .collect();
         let mut triangulation = Spade::with_capacity(ids.len(), 3 * ids.len(), 2 * ids.len());
         let mut previous = None;
-        for &id in &ids {
-            let DVec2 { x, y } = points[id];
-            let at = Point2::new(x, y);
+        for place in places {
             let inserted = match previous {
-                Some(hint) => triangulation.insert_with_hint(at, hint),
-                None => triangulation.insert(at),
+                Some(hint) => triangulation.insert_with_hint(place, hint),
+                None => triangulation.insert(place),
             };
             let vertex = inserted.expect("a PointSet holds only coordinates that spade accepts");
             previous = Some(vertex);
         }
-        let centres = triangulation.inner_faces().map(circumcentre).collect();
         Self {
             triangulation,
             ids,
-            centres,
+            centres: OnceLock::new(),
             row: Vec::new(),
         }
     }
@@ -113,7 +119,11 @@ impl Delaunay {
     /// [`triangles`](Self::triangles). Those of cocircular triangles coincide up to rounding.
     #[must_use]
     pub fn voronoi_vertices(&self) -> &[DVec2] {
-        &self.centres
+        self.centres.get_or_init(|| {
+            let faces: Vec<_> = self.triangulation.fixed_inner_faces().collect();
+            let centre = |&face| circumcentre(self.triangulation.face(face));
+            faces.par_iter().with_min_len(TASK).map(centre).collect()
+        })
     }
 
     /// The edges, each once.
@@ -121,7 +131,7 @@ impl Delaunay {
         let on_a_line = self.row.windows(2).map(|pair| DualEdge {
             ends: [pair[0], pair[1]],
             apexes: [None; 2],
-            centres: [None; 2],
+            triangles: [None; 2],
         });
         let edges = self.triangulation.undirected_edges().map(|edge| {
             let edge = edge.as_directed();
@@ -129,19 +139,27 @@ impl Delaunay {
             DualEdge {
                 ends: sides.map(|side| self.id(side.from().index())),
                 apexes: sides.map(|side| Some(self.id(side.opposite_vertex()?.index()))),
-                centres: sides.map(|side| self.centre_left_of(side)),
+                // spade's face 0 is the outer one; the inner faces follow.
+                triangles: sides.map(|side| Some(side.face().as_inner()?.index() - 1)),
             }
         });
         edges.chain(on_a_line)
     }
 
-    fn id(&self, vertex: usize) -> PointId {
-        self.ids[vertex]
+    /// The Voronoi edge dual to a Delaunay edge: the circumcentres of the triangles to its left and
+    /// right. `None`: it is unbounded on that side, a ray along the bisector, or a line if both are
+    /// `None`.
+    ///
+    /// # Panics
+    /// If the edge is of another triangulation, with more triangles.
+    #[must_use]
+    pub fn voronoi_edge(&self, dual: &DualEdge) -> [Option<DVec2>; 2] {
+        let centres = self.voronoi_vertices();
+        dual.triangles.map(|triangle| Some(centres[triangle?]))
     }
 
-    fn centre_left_of(&self, edge: SpadeEdge<'_>) -> Option<DVec2> {
-        // spade's face 0 is the outer one; the inner faces follow.
-        Some(self.centres[edge.face().as_inner()?.index() - 1])
+    fn id(&self, vertex: usize) -> PointId {
+        self.ids[vertex]
     }
 }
 
