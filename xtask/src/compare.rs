@@ -11,6 +11,7 @@ mod fourier;
 mod jumps;
 mod known;
 mod manifest;
+mod memory;
 mod progress;
 pub(crate) mod published;
 mod random;
@@ -141,6 +142,10 @@ fn run_until(args: &Args, stop: &AtomicBool) -> anyhow::Result<ExitCode> {
         start.elapsed().as_secs_f64(),
         folder.display()
     );
+    let failed = rows.iter().filter(|row| row.error.is_some()).count();
+    if failed > 0 {
+        eprintln!("{failed} of them without a result: their column `error` says why");
+    }
     let differing = known::differing(&experiments, &rows);
     for answer in &differing {
         eprintln!("failed: {answer}");

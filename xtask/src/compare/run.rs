@@ -83,7 +83,7 @@ pub(super) fn run(
     let alone = jobs
         .iter()
         .any(|job| matches!(job.input, Input::Planted { .. }));
-    let workers = if alone { 1 } else { threads };
+    let workers = if alone { 1 } else { threads.min(jobs.len()) };
     let bar = progress::bar(jobs.iter().map(|job| u64::from(job.trials)).sum());
     let next = AtomicUsize::new(0);
     let (send, receive) = mpsc::channel();

@@ -2,6 +2,7 @@
 
 use super::algorithms;
 use super::cell::Job;
+use super::memory::Before;
 use super::random::{Random, seed_of};
 use super::trial::{self, Lines};
 use anyhow::{Context, bail, ensure};
@@ -32,9 +33,6 @@ pub(super) fn run(
     for trial in 0..job.trials {
         let seed = seed_of(seed, &job.experiment.name, &series, job.x, trial);
         for name in algorithms {
-            if !goes_on() {
-                return Ok(None);
-            }
             let mut row = Row {
                 experiment: job.experiment.name.clone(),
                 series: series.clone(),
@@ -47,7 +45,12 @@ pub(super) fn run(
                 error: None,
                 version: env!("CARGO_PKG_VERSION").to_owned(),
             };
-            match in_a_process(name, row.points, seed, threads) {
+            let outcome = in_a_process(name, row.points, seed, threads);
+            // An interruption ends that process too, which is no outcome.
+            if !goes_on() {
+                return Ok(None);
+            }
+            match outcome {
                 Ok(measured) => {
                     let exact = f64::from(u8::from(measured.exact));
                     row.values = vec![Some(Bounds::exactly(exact))];
@@ -103,22 +106,14 @@ pub(super) fn measure(what: &str) -> anyhow::Result<()> {
     };
     let algorithm = algorithms::named(name)?;
     let (points, boundary) = planted(points.parse()?, seed.parse()?)?;
+    let before = Before::now();
     let start = Instant::now();
     let edges = algorithm.reconstruct(&points);
     let seconds = start.elapsed().as_secs_f64();
-    let memory = peak_memory().map_or("-".to_owned(), |bytes| bytes.to_string());
+    let memory = before.and_then(|before| before.beyond());
+    let memory = memory.map_or("-".to_owned(), |bytes| bytes.to_string());
     println!("{seconds} {memory} {}", edges == boundary);
     Ok(())
-}
-
-/// The largest resident memory of this process so far in bytes, where the system tells.
-fn peak_memory() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(1024 * kibibytes)
 }
 
 /// Wavy closed curves in the cells of a grid, and the edges between consecutive points; the points in

@@ -49,7 +49,10 @@ pub(super) fn texts(
     ];
     let map = HeatMap::new(sheets, algorithms);
     if !map.rows.is_empty() {
-        texts.push(("plots/overview.svg".to_owned(), map.to_svg(Paper::Light)));
+        texts.push((
+            "plots/overview.svg".to_owned(),
+            map.to_svg(Width::Wide, Paper::Light),
+        ));
     }
     for sheet in sheets {
         let groups: Vec<&str> = sheet

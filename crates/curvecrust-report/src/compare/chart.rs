@@ -65,8 +65,12 @@ struct Frame {
 const TOP: f64 = 62.0;
 const LEGEND_LINE: f64 = 20.0;
 const HEAD_LINE: f64 = 20.0;
-/// Lines are moved so many pixels apart, so that equal ones can be told from each other.
+/// Below an axis: lines at its zero are moved and marked this far down.
+const TICK_LABEL: f64 = 27.0;
+/// Lines are moved so many pixels apart, so that equal ones can be told from each other, and all of
+/// them over no more than so many, so that none is taken for another value.
 const APART: f64 = 2.2;
+const ALL_APART: f64 = 11.0;
 
 impl Chart {
     /// The chart as SVG.
@@ -94,7 +98,7 @@ impl Chart {
             x: self.x.range(self.marks().map(|m| [m.x, m.x])),
             y: self.y.range(self.marks().map(|m| m.band)),
         };
-        let height = bottom + 52.0 + rows * LEGEND_LINE;
+        let height = bottom + 58.0 + rows * LEGEND_LINE;
         let mut svg = open(&self.title, total, height, paper);
         for (i, line) in heading.iter().enumerate() {
             let (y, line) = (22.0 + HEAD_LINE * i as f64, escaped(line));
@@ -106,7 +110,7 @@ impl Chart {
             // On log axes equal values are rare, and a pixel is worth more.
             let equal = self.y.scale == Scale::Linear;
             let apart = if equal {
-                (i as f64 - middle) * APART
+                (i as f64 - middle) * APART.min(0.5 * ALL_APART / middle)
             } else {
                 0.0
             };
@@ -114,7 +118,7 @@ impl Chart {
         }
         match width {
             Width::Wide => self.name_ends(&mut svg, &frame),
-            Width::Narrow => self.name_below(&mut svg, bottom + 58.0, named + 44.0, columns),
+            Width::Narrow => self.name_below(&mut svg, bottom + 64.0, named + 44.0, columns),
         }
         svg + "</svg>\n"
     }
@@ -155,7 +159,7 @@ impl Chart {
                 svg,
                 "<path class=\"axis\" d=\"M{x} {bottom}v5\"/>\
                  <text text-anchor=\"middle\" x=\"{x}\" y=\"{}\">{}</text>",
-                bottom + 20.0,
+                bottom + TICK_LABEL,
                 self.x.written(value)
             );
         }
@@ -164,7 +168,7 @@ impl Chart {
             "<path class=\"axis\" d=\"M{left} {bottom}H{right}\"/>\
              <text class=\"faint\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>",
             px(f64::midpoint(left, right)),
-            bottom + 42.0,
+            bottom + TICK_LABEL + 21.0,
             escaped(&self.x.label)
         );
     }

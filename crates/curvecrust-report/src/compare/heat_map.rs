@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::compare::chart::Paper;
+use crate::compare::chart::{Paper, Width};
 use crate::compare::sheet::{Panel, Sheet};
 use crate::compare::style::{escaped, open, text_width};
 
@@ -56,18 +56,30 @@ impl HeatMap {
 
     /// The table as SVG, one line per experiment: it stays narrow however many there are.
     #[must_use]
-    pub fn to_svg(&self, paper: Paper) -> String {
+    pub fn to_svg(&self, width: Width, paper: Paper) -> String {
         let widest = |names: &mut dyn Iterator<Item = &String>| {
             names.map(|name| text_width(name)).fold(0.0, f64::max)
         };
-        let left = widest(&mut self.columns.iter()) + 24.0;
         let slanted = widest(&mut self.rows.iter().map(|row| &row.0)) * 0.72;
-        let (wide, high) = (58.0, 30.0);
+        // On a telephone, names stand above their cells.
+        let (left, wide, name_line) = match width {
+            Width::Wide => (widest(&mut self.columns.iter()) + 24.0, 58.0, 0.0),
+            Width::Narrow => (12.0, 35.0, 22.0),
+        };
+        let (cell, high) = (30.0, 30.0 + name_line);
         let top = 40.0 + slanted + 14.0;
-        let width = left + wide * self.rows.len() as f64 + slanted.max(20.0);
+        let all = (left + wide * self.rows.len() as f64 + slanted.max(20.0)).max(left + 260.0);
         let height = top + high * self.columns.len() as f64 + 14.0;
-        let title = "Exactly the true edges, share of trials";
-        let mut svg = open(title, width.ceil(), height.ceil(), paper);
+        // There, the title says once what the cells have no room for.
+        let title = match width {
+            Width::Wide => "Exactly the true edges, share of trials",
+            Width::Narrow => "Exactly the true edges, % of trials",
+        };
+        let written = |share| match width {
+            Width::Wide => percent(share),
+            Width::Narrow => percent(share).replace(" %", ""),
+        };
+        let mut svg = open(title, all.ceil(), height.ceil(), paper);
         let _ = writeln!(svg, "<text class=\"head\" x=\"12\" y=\"22\">{title}</text>");
         for (i, (algorithm, shares)) in self.rows.iter().enumerate() {
             let x = left + wide * i as f64;
@@ -78,7 +90,7 @@ impl HeatMap {
                 escaped(algorithm)
             );
             for (j, share) in shares.iter().enumerate() {
-                let y = top + high * j as f64;
+                let y = top + high * j as f64 + name_line;
                 let _ = writeln!(
                     svg,
                     "<rect class=\"b1\" style=\"fill-opacity:{:.2}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
@@ -87,15 +99,19 @@ impl HeatMap {
                     (x + 1.0).round(),
                     (y + 1.0).round(),
                     wide - 2.0,
-                    high - 2.0,
+                    cell - 2.0,
                     (x + wide / 2.0).round(),
-                    (y + high / 2.0 + 4.5).round(),
-                    percent(*share)
+                    (y + cell / 2.0 + 4.5).round(),
+                    written(*share)
                 );
             }
         }
         for (j, name) in self.columns.iter().enumerate() {
-            let y = (top + high * (j as f64 + 0.5) + 4.5).round();
+            let line = match width {
+                Width::Wide => cell / 2.0 + 4.5,
+                Width::Narrow => name_line - 5.0,
+            };
+            let y = (top + high * j as f64 + line).round();
             let _ = writeln!(svg, "<text x=\"12\" y=\"{y}\">{}</text>", escaped(name));
         }
         svg + "</svg>\n"

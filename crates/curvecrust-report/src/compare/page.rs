@@ -22,7 +22,7 @@ details { margin: .4rem 0 1.4rem } summary { cursor: pointer; color: var(--link)
 @media (max-width: 700px) { .wide { display: none } .narrow { display: block } body { padding: .6rem .7rem 3rem } }
 ";
 
-/// The page; `facts` are shown at its top, such as version, machine and seed.
+/// The page; `facts` are shown at its end, such as version and machine.
 #[must_use]
 pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -> String {
     let mut body = String::new();
@@ -39,9 +39,11 @@ pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -
     let map = if map.rows.is_empty() {
         String::new()
     } else {
+        let [wide, narrow] = [Width::Wide, Width::Narrow].map(|w| map.to_svg(w, Paper::Page));
         format!(
-            "<figure class=\"scroll\">\n{}</figure>\n",
-            map.to_svg(Paper::Page)
+            "<figure class=\"scroll\">\n<div class=\"wide\">\n{wide}</div>\n\
+             <div class=\"narrow\">\n{narrow}</div>\n<figcaption class=\"faint\">The mean over the values of each sweep: \
+             where an algorithm breaks is in the charts.</figcaption>\n</figure>\n"
         )
     };
     let sections: String = sheets.iter().map(section).collect();
@@ -52,7 +54,8 @@ pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -
          @media (prefers-color-scheme: dark) {{\n{}}}\n</style>\n</head>\n<body>\n\
          <h1>Which algorithm for my points, and where does each one break?</h1>\n\
          <p>Points are sampled from known curves and given to each algorithm as bare points. \
-         Bands are 95 % confidence intervals; of times and memory, from the least to the largest.</p>\n{links}{map}{sections}\
+         Bands are 95 % confidence intervals; of times and memory, from the least to the largest. \
+         Lines over shares and distances are drawn a little apart, so that equal ones can be seen.</p>\n{links}{map}{sections}\
          <h2>Where these numbers come from</h2>\n{body}</body>\n</html>\n",
         light(),
         dark()

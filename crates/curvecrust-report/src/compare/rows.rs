@@ -47,7 +47,7 @@ pub struct Timing {
     pub points: usize,
     /// Seconds of the reconstruction alone.
     pub seconds: f64,
-    /// The largest resident memory of a process that did nothing else, in bytes.
+    /// The most memory that the reconstruction held beyond its points, in bytes, if it was measured.
     pub memory: Option<u64>,
 }
 

@@ -232,7 +232,7 @@ impl Panel {
             "rms_output" => "root mean square distance, output to curve",
             "min_angle" => "least angle between edges",
             "run_time" => "run time",
-            "memory" => "peak memory",
+            "memory" => "peak memory beyond the points",
             other => other,
         };
         format!("{}: {what}", self.group)
