@@ -8,6 +8,7 @@ use crate::beta_skeleton::BetaSkeleton;
 use crate::crust::Crust;
 use crate::error::ReconstructError;
 use crate::hnn_crust::HnnCrust;
+use crate::least_detour::LeastDetour;
 use crate::nn_crust::NnCrust;
 use crate::one_step_crust::OneStepCrust;
 use crate::sphere_of_influence::SphereOfInfluence;
@@ -28,6 +29,7 @@ use crate::sphere_of_influence::SphereOfInfluence;
 /// # Ok::<(), curvecrust_geometry::PointSetError>(())
 /// ```
 pub const ALGORITHMS: &[&dyn Reconstructor] = &[
+    &LeastDetour,
     &HnnCrust::MUTUAL,
     &HnnCrust::UNION,
     &NnCrust,

@@ -16,6 +16,7 @@ use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
 use crate::error::ReconstructError;
 use crate::neighbours::{Choices, HalfRule};
+use crate::termini;
 
 /// The edges on which both of their ends agree: [`HnnCrust::MUTUAL`].
 ///
@@ -58,6 +59,12 @@ impl HnnCrust {
     pub const MUTUAL: Self = Self { keep: Keep::Mutual };
     /// The union of all choices; the same edges wherever the guarantee holds.
     pub const UNION: Self = Self { keep: Keep::Union };
+
+    /// The edges when some of the points are termini.
+    pub(crate) fn with_termini(self, points: &PointSet, termini: &[PointId]) -> EdgeSet {
+        let choices = Choices::new(points, HalfRule::Bisector);
+        choices.without_half(termini).edges(self.keep)
+    }
 }
 
 impl Reconstructor for HnnCrust {
@@ -85,7 +92,7 @@ impl Reconstructor for HnnCrust {
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {
-        Choices::new(points, HalfRule::Bisector).edges(self.keep)
+        self.with_termini(points, &[])
     }
 
     /// A terminus chooses its nearest neighbour only.
@@ -108,17 +115,7 @@ impl Reconstructor for HnnCrust {
         points: &PointSet,
         termini: &[PointId],
     ) -> Result<EdgeSet, ReconstructError> {
-        let count = points.len();
-        if let Some((index, &terminus)) =
-            termini.iter().enumerate().find(|(_, t)| t.index() >= count)
-        {
-            return Err(ReconstructError::TerminusNotAPoint {
-                index,
-                terminus,
-                count,
-            });
-        }
-        let choices = Choices::new(points, HalfRule::Bisector);
-        Ok(choices.without_half(termini).edges(self.keep))
+        termini::check(points, termini)?;
+        Ok(self.with_termini(points, termini))
     }
 }

@@ -1,4 +1,5 @@
-//! Curve reconstruction from bare points: HNN-Crust, NN-Crust, Crust and their relatives.
+//! Curve reconstruction from bare points: HNN-Crust, NN-Crust, Crust and their relatives, and least
+//! detour, which goes beyond them.
 //!
 //! An algorithm sees points and nothing else: neither the curve that they were sampled from nor
 //! its medial axis. All of them keep one contract ([`Reconstructor`]) and stand in one list
@@ -6,6 +7,7 @@
 //!
 //! | name | source | correct for closed smooth curves with | cost | termini |
 //! |---|---|---|---|---|
+//! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | epsilon < 0.297 | O(n log n) | yes |
 //! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9, epsilon < 0.47 | O(n log n) | yes |
 //! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9, epsilon < 0.47 | O(n log n) | yes |
 //! | [`nn-crust`] | Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction. SODA 1999 | epsilon < 0.333 | O(n log n) | no |
@@ -15,6 +17,7 @@
 //! | [`gabriel`] | Gabriel, Sokal: A New Statistical Approach to Geographic Variation Analysis. Systematic Zoology 1969 | none known | O(n log n) | no |
 //! | [`sphere-of-influence`] | Toussaint: A Graph-Theoretical Primal Sketch. 1988 | none known | O(n log n) | no |
 //!
+//! [`least-detour`]: mod@least_detour
 //! [`hnn-crust`]: mod@hnn_crust
 //! [`hnn-crust-union`]: mod@hnn_crust
 //! [`nn-crust`]: mod@nn_crust
@@ -47,6 +50,7 @@ pub mod crust;
 pub mod error;
 mod exact;
 pub mod hnn_crust;
+pub mod least_detour;
 pub mod neighbours;
 pub mod nn_crust;
 pub mod one_step_crust;
@@ -56,6 +60,7 @@ mod rings;
 mod sight;
 pub mod skeleton;
 pub mod sphere_of_influence;
+mod termini;
 pub mod violations;
 mod voronoi_vertex;
 mod voronoi_vertices;
@@ -65,6 +70,9 @@ pub use beta_skeleton::{Beta, BetaSkeleton, beta_skeleton};
 pub use crust::{Crust, crust};
 pub use error::ReconstructError;
 pub use hnn_crust::{HnnCrust, Keep, hnn_crust};
+pub use least_detour::{
+    ExplainedEdge, Explanation, LeastDetour, OpenEnd, Reason, Rejected, least_detour,
+};
 pub use nn_crust::{NnCrust, nn_crust};
 pub use one_step_crust::{CrustAndSkeleton, OneStepCrust, one_step_crust};
 pub use reconstruction::{NestedChain, Reconstruction};

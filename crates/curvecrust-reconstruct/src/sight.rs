@@ -1,7 +1,7 @@
 //! The angles under which Delaunay edges are seen from their apexes, compared without rounding
 //! error.
 
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet, in_circle};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 use glam::Vec2Swizzles;
 
@@ -80,6 +80,15 @@ pub(crate) fn sights(points: &PointSet, dual: &DualEdge) -> Sights {
         left.map(|from| Sight::new(p, q, from)),
         right.map(|from| Sight::new(q, p, from)),
     ]
+}
+
+/// Whether the Voronoi edge is longer than a point: no four points are cocircular here.
+pub(crate) fn has_length(points: &PointSet, dual: &DualEdge) -> bool {
+    let [p, q] = dual.ends.map(|id| points[id]);
+    match dual.apexes {
+        [Some(left), Some(right)] => in_circle(p, q, points[left], points[right]) < 0.0,
+        _ => true,
+    }
 }
 
 /// The Delaunay edges that `keep` wants.

@@ -9,12 +9,11 @@
 //! No sampling condition makes it exact. Cost: that of neighbours and of the Delaunay
 //! triangulation, O(n log n).
 
-use curvecrust_geometry::{EdgeSet, PointId, PointSet, in_circle};
-use curvecrust_voronoi::DualEdge;
+use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
 use crate::neighbours::{HalfRule, neighbours};
-use crate::sight::filtered;
+use crate::sight::{filtered, has_length};
 
 /// The sphere-of-influence graph among Delaunay edges; circles that touch meet.
 ///
@@ -51,15 +50,6 @@ fn nearest_distances(points: &PointSet) -> Vec<f64> {
         .zip(found.iter().map(|n| n.nearest))
         .map(distance)
         .collect()
-}
-
-/// Whether the Voronoi edge is longer than a point: no four points are cocircular here.
-fn has_length(points: &PointSet, dual: &DualEdge) -> bool {
-    let [p, q] = dual.ends.map(|id| points[id]);
-    match dual.apexes {
-        [Some(left), Some(right)] => in_circle(p, q, points[left], points[right]) < 0.0,
-        _ => true,
-    }
 }
 
 /// The sphere-of-influence graph behind the common contract.

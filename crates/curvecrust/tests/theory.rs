@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use curvecrust::curve::{Component, CubicBezier, Curve};
 use curvecrust::evaluate::EdgeComparison;
-use curvecrust::geometry::Segment;
+use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Segment};
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
-use curvecrust::reconstruct::{crust, hnn_crust, nn_crust, one_step_crust};
+use curvecrust::reconstruct::{crust, hnn_crust, least_detour, nn_crust, one_step_crust};
 use curvecrust::sampling::{Condition, SampledCurve, sample_greedy, theory};
 use rayon::prelude::*;
 
@@ -138,6 +138,7 @@ fn the_theorems_hold_on_every_sampling() {
             path.file_stem().unwrap().to_string_lossy()
         );
         reconstructions_are_exact_within_their_bounds(&name, &measured);
+        bursts_of_samples_change_nothing(&name, &measured, seed);
         one_step_and_two_step_crust_agree_on_dense_samples(&name, &measured);
         an_epsilon_sample_is_a_rho_sample(&name, &measured);
         angles_and_distances_keep_their_bounds(&name, &measured);
@@ -154,11 +155,10 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
         Condition::epsilon(0.47).unwrap(),
     ] {
         let sampled = sample_greedy(measured, condition);
-        exact(
-            "HNN-Crust",
-            &sampled,
-            hnn_crust(&sampled.point_set().unwrap()),
-        );
+        let points = sampled.point_set().unwrap();
+        exact("HNN-Crust", &sampled, hnn_crust(&points));
+        // Proven for epsilon < 0.297 only.
+        exact("least detour", &sampled, least_detour(&points));
     }
     let closed = measured
         .dense()
@@ -176,6 +176,48 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
     }
     let sampled = sample_greedy(measured, Condition::epsilon(0.2).unwrap());
     exact("Crust", &sampled, crust(&sampled.point_set().unwrap()));
+}
+
+/// More samples keep a rho-sample one, however uneven they make it: here every few intervals have six
+/// at one of their ends, up to ninety times closer than the other end. Least detour, of which no theorem
+/// says so, gets 397 of these 399 samplings right.
+fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) {
+    let Some(sampled) = valid(measured, Condition::rho(0.9).unwrap()) else {
+        return;
+    };
+    let mut seed = seed;
+    let (mut points, mut edges): (Vec<DVec2>, Vec<Edge>) = (Vec::new(), Vec::new());
+    let mut first_of = vec![None; sampled.points().len()];
+    for (from, to, dense) in intervals(measured, &sampled) {
+        let mut id = |i: usize, points: &mut Vec<DVec2>| {
+            *first_of[i].get_or_insert_with(|| {
+                points.push(sampled.points()[i]);
+                PointId::new(points.len() - 1).unwrap()
+            })
+        };
+        let (from, to) = (id(from, &mut points), id(to, &mut points));
+        let mut inner = dense[1..dense.len() - 1].to_vec();
+        match random_bits(&mut seed) % 4 {
+            0 => inner.truncate(6),
+            1 => drop(inner.drain(..inner.len().saturating_sub(6))),
+            _ => inner.clear(),
+        }
+        let mut at = from;
+        for i in inner {
+            points.push(measured.dense().points()[i]);
+            let next = PointId::new(points.len() - 1).unwrap();
+            edges.extend(Edge::new(at, next));
+            at = next;
+        }
+        edges.extend(Edge::new(at, to));
+    }
+    let boundary = EdgeSet::new(points.len(), edges);
+    let points = PointSet::new(points).unwrap();
+    let comparison = EdgeComparison::new(&boundary, &hnn_crust(&points));
+    assert!(
+        comparison.is_exact(),
+        "HNN-Crust with bursts on {name}: {comparison:?}"
+    );
 }
 
 fn one_step_and_two_step_crust_agree_on_dense_samples(name: &str, measured: &Measured) {

@@ -1,0 +1,255 @@
+//! Exchanges of edges along alternating paths, after S. Lin, B. W. Kernighan, "An Effective Heuristic
+//! Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here without the
+//! demand that the result be one tour, so that every alternating path is an exchange.
+
+use super::candidates::Candidates;
+use super::joins::{Joins, NONE};
+
+/// How many candidates are tried at each of the joins of a path, the first join first.
+const BREADTH: [usize; DEPTH] = [8, 8, 5, 5];
+/// How many joins a path may have: four include the moves known as 2-opt, 3-opt and or-opt.
+const DEPTH: usize = 4;
+/// Partings and joins of the longest path.
+const LONGEST: usize = 2 * DEPTH + 1;
+
+/// An exchange lowers the cost if it does so by more than this fraction of the lengths in it: more
+/// than rounding could feign, so that no exchange is ever undone by another.
+const ROUNDING: f64 = 1e-12;
+
+/// A step of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Step {
+    Part(u32, u32),
+    Join(u32, u32),
+}
+
+/// Alternating partings and joins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Path {
+    steps: [Step; LONGEST],
+    len: usize,
+}
+
+impl Path {
+    const EMPTY: Self = Self {
+        steps: [Step::Part(NONE, NONE); LONGEST],
+        len: 0,
+    };
+
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.steps[..self.len]
+    }
+
+    fn push(&mut self, step: Step) {
+        self.steps[self.len] = step;
+        self.len += 1;
+    }
+
+    fn parts(&self, v: u32, w: u32) -> bool {
+        let steps = self.steps().iter();
+        let mut parted = steps.filter_map(|step| match *step {
+            Step::Part(a, b) => Some([a, b]),
+            Step::Join(..) => None,
+        });
+        parted.any(|ends| ends == [v, w] || ends == [w, v])
+    }
+
+    fn joins(&self, v: u32, w: u32) -> bool {
+        let wanted = [Step::Join(v, w), Step::Join(w, v)];
+        self.steps().iter().any(|step| wanted.contains(step))
+    }
+}
+
+/// An exchange, and what it adds to the cost.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exchange {
+    pub(super) path: Path,
+    pub(super) cost: f64,
+}
+
+/// The search for the exchange that costs least among those that begin in one place.
+pub(super) struct Search<'a, 'b> {
+    joins: &'a mut Joins<'b>,
+    candidates: &'a Candidates,
+    path: Path,
+    best: Exchange,
+}
+
+/// A path with an end that seeks a partner, and perhaps another in its first point.
+#[derive(Clone, Copy)]
+struct Hands {
+    base: Option<u32>,
+    end: u32,
+    /// What the path adds to the cost, with no price for the slots in hand.
+    cost: f64,
+    /// Of the lengths that add up to it.
+    size: f64,
+}
+
+impl<'a, 'b> Search<'a, 'b> {
+    /// Among exchanges that cost less than `limit`.
+    pub(super) fn below(limit: f64, joins: &'a mut Joins<'b>, candidates: &'a Candidates) -> Self {
+        let best = Exchange {
+            path: Path::EMPTY,
+            cost: limit,
+        };
+        Self {
+            joins,
+            candidates,
+            path: Path::EMPTY,
+            best,
+        }
+    }
+
+    /// What was found.
+    pub(super) fn best(self) -> Option<Exchange> {
+        (self.best.path.len > 0).then_some(self.best)
+    }
+
+    /// Exchanges that begin at a point: by parting it from a partner that is not certified, or by
+    /// finding one for an open slot.
+    pub(super) fn from(mut self, v: u32) -> Self {
+        for partner in self.joins.partners(v) {
+            if partner != NONE && !self.joins.is_certified(v, partner) {
+                self = self.without(v, partner);
+            }
+        }
+        self.filling(v)
+    }
+
+    /// Exchanges that begin by parting two points that are joined.
+    pub(super) fn without(mut self, v: u32, w: u32) -> Self {
+        let length = self.joins.length(v, w);
+        let before = self.joins.cost(v, 0) + self.joins.cost(w, 0);
+        self.joins.part(v, w);
+        self.path.push(Step::Part(v, w));
+        let after = self.joins.cost(v, 1) + self.joins.cost(w, 1);
+        let hands = Hands {
+            base: Some(v),
+            end: w,
+            cost: after - before - length,
+            size: length,
+        };
+        self.leave_open(hands);
+        self.extend(hands);
+        self.path.len -= 1;
+        self.joins.join(v, w);
+        self
+    }
+
+    /// Exchanges that begin by filling an open slot of a point; none if it has none.
+    pub(super) fn filling(mut self, v: u32) -> Self {
+        if self.joins.is_open(v) {
+            let price = self.joins.price(v);
+            self.extend(Hands {
+                base: None,
+                end: v,
+                cost: -price,
+                size: price,
+            });
+        }
+        self
+    }
+
+    /// Ends the path: the slots in hand stay open.
+    fn leave_open(&mut self, hands: Hands) {
+        let slots = [Some(hands.end), hands.base];
+        let prices: f64 = slots.iter().flatten().map(|&v| self.joins.price(v)).sum();
+        self.keep(hands.cost + prices, hands.size + prices);
+    }
+
+    fn keep(&mut self, cost: f64, size: f64) {
+        if cost + ROUNDING * size < self.best.cost {
+            self.best = Exchange {
+                path: self.path,
+                cost,
+            };
+        }
+    }
+
+    /// Joins the end to each of its candidates.
+    fn extend(&mut self, hands: Hands) {
+        let candidates = self.candidates;
+        let joins_so_far = self.path.len / 2;
+        let Some(&breadth) = BREADTH.get(joins_so_far) else {
+            return;
+        };
+        let mut replaced = 0;
+        for &to in candidates.of(hands.end) {
+            if self.joins.are_joined(hands.end, to) || self.path.parts(hands.end, to) {
+                continue;
+            }
+            let cost = hands.cost + self.joins.length(hands.end, to);
+            if self.joins.is_open(to) {
+                if cost - self.joins.price(to) < self.best.cost {
+                    self.fill(hands, to);
+                }
+            } else if replaced < breadth && cost < self.best.cost {
+                replaced += 1;
+                for partner in self.joins.partners(to) {
+                    self.replace(hands, to, partner);
+                }
+            }
+        }
+    }
+
+    /// Ends the path in an open slot, perhaps that of its base.
+    fn fill(&mut self, hands: Hands, to: u32) {
+        if self.joins.would_close_triangle(hands.end, to) {
+            return;
+        }
+        let is_base = hands.base == Some(to);
+        let length = self.joins.length(hands.end, to);
+        let before = self.joins.cost(hands.end, 1) + self.joins.cost(to, usize::from(is_base));
+        self.joins.join(hands.end, to);
+        self.path.push(Step::Join(hands.end, to));
+        let after = self.joins.cost(hands.end, 0) + self.joins.cost(to, 0);
+        let left_open = hands.base.filter(|_| !is_base);
+        let price = left_open.map_or(0.0, |base| self.joins.price(base));
+        self.keep(
+            hands.cost + length + after - before + price,
+            hands.size + length + price,
+        );
+        self.path.len -= 1;
+        self.joins.part(hands.end, to);
+    }
+
+    /// Goes on by taking the place of a partner, which becomes the end.
+    fn replace(&mut self, hands: Hands, to: u32, partner: u32) {
+        let Hands { base, end, .. } = hands;
+        // A terminus has one partner.
+        if partner == NONE
+            || partner == end
+            || self.joins.is_certified(to, partner)
+            || self.path.joins(to, partner)
+        {
+            return;
+        }
+        let in_hand = usize::from(base == Some(partner));
+        let lengths = [self.joins.length(end, to), self.joins.length(to, partner)];
+        let before =
+            self.joins.cost(to, 0) + self.joins.cost(end, 1) + self.joins.cost(partner, in_hand);
+        self.joins.part(to, partner);
+        if !self.joins.would_close_triangle(end, to) {
+            self.joins.join(end, to);
+            self.path.push(Step::Join(end, to));
+            self.path.push(Step::Part(to, partner));
+            let after = self.joins.cost(to, 0)
+                + self.joins.cost(end, 0)
+                + self.joins.cost(partner, in_hand + 1);
+            let next = Hands {
+                base,
+                end: partner,
+                cost: hands.cost + lengths[0] - lengths[1] + after - before,
+                size: hands.size + lengths[0] + lengths[1],
+            };
+            if next.cost < self.best.cost {
+                self.leave_open(next);
+                self.extend(next);
+            }
+            self.path.len -= 2;
+            self.joins.part(end, to);
+        }
+        self.joins.join(to, partner);
+    }
+}
