@@ -2,9 +2,9 @@
 
 use std::error::Error;
 
-use curvecrust_curve::{CurveParam, DenseComponent, DenseCurve};
+use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
 use curvecrust_medial_axis::{Estimator, Measured};
-use curvecrust_sampling::{Condition, sample, sample_fewest, sample_greedy};
+use curvecrust_sampling::{Condition, sample, sample_curve, sample_fewest, sample_greedy};
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
 use crate::generators::one_curve;
@@ -76,25 +76,93 @@ pub fn lfs(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
     ])
 }
 
-/// Sampling with lfs given; one thread.
+/// Sampling with lfs given, and the whole way from a drawing to samples; one thread.
 ///
 /// # Errors
 /// None for these sizes.
 pub fn sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
-    let count = sizes.large;
-    let measured = &Measured::new(dense_one_curve(count)?, Estimator::Voronoi)?;
-    let conditions = [
+    let counts = [sizes.small, sizes.medium, sizes.large];
+    let measured = |count| -> Result<Measured, Box<dyn Error>> {
+        Ok(Measured::new(dense_one_curve(count)?, Estimator::Voronoi)?)
+    };
+    let measured: Vec<Measured> = counts.into_iter().map(measured).collect::<Result<_, _>>()?;
+    let mut rows = samplers(&measured[2], sizes.rounds)?;
+    rows.extend(growth(&measured, sizes.rounds)?);
+    rows.push(pipeline(sizes.rounds)?);
+    Ok(rows)
+}
+
+/// The time of certified sampling per dense point, from few of them to many.
+fn growth(measured: &[Measured], rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+    let mut rows = Vec::new();
+    for (name, condition) in conditions()? {
+        let task = |measured| Task::new(name, move || sample(measured, condition));
+        let times = medians(measured.iter().map(task).collect(), rounds.div_ceil(2));
+        let counts = measured.iter().map(|measured| measured.dense().len());
+        let each: Vec<f64> = times
+            .iter()
+            .zip(counts.clone())
+            .map(|(t, n)| t / n as f64)
+            .collect();
+        let least = each.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = each.iter().copied().fold(0.0, f64::max);
+        let sizes: Vec<String> = counts.clone().map(|count| count.to_string()).collect();
+        let times: Vec<String> = times
+            .iter()
+            .zip(counts)
+            .map(|(&t, n)| per_element(t, n))
+            .collect();
+        rows.push(Row {
+            what: format!(
+                "certified sampling, {name}, one-curve {}: most / least time a point",
+                sizes.join(", ")
+            ),
+            measured: format!("{} a point", times.join(", ")),
+            figure: most / least,
+            goal: Goal::AtMost(1.5),
+        });
+    }
+    Ok(rows)
+}
+
+/// A drawing of 43 cubic segments.
+pub const CAT: &str = include_str!("../../fixtures/curves/cat.svg");
+
+/// From the text of a drawing to certified samples.
+fn pipeline(rounds: usize) -> Result<Row, Box<dyn Error>> {
+    let rho = Condition::rho(0.9)?;
+    let run = || -> Result<usize, Box<dyn Error>> {
+        let curve = Curve::from_svg(CAT)?;
+        Ok(sample_curve(&curve, rho)?.1.samples.len())
+    };
+    let count = run()?;
+    let times = medians(vec![Task::new("pipeline", run)], rounds);
+    Ok(Row {
+        what: "SVG of 43 cubic segments (cat) to certified samples, rho < 0.9, milliseconds"
+            .to_owned(),
+        measured: format!("{count} samples"),
+        figure: 1e3 * times[0],
+        goal: Goal::AtMost(100.0),
+    })
+}
+
+fn conditions() -> Result<[(&'static str, Condition); 2], Box<dyn Error>> {
+    Ok([
         ("rho < 0.9", Condition::rho(0.9)?),
         ("epsilon < 0.47", Condition::epsilon(0.47)?),
-    ];
+    ])
+}
+
+fn samplers(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+    let count = measured.dense().len();
     let mut rows = Vec::new();
-    for (name, condition) in conditions {
+    for (name, condition) in conditions()? {
         let tasks = vec![
             Task::new("certified", || sample(measured, condition)),
             Task::new("greedy", || sample_greedy(measured, condition)),
             Task::new("fewest", || sample_fewest(measured, condition, &|_, _| {})),
         ];
-        let times = medians(tasks, sizes.rounds.div_ceil(3));
+        let times = medians(tasks, rounds.div_ceil(3));
         let row = |what: &str, seconds, goal| Row {
             what: format!("{what}, {name}, one-curve {count}, seconds"),
             measured: format!("{} a point", per_element(seconds, count)),

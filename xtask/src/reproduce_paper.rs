@@ -1,6 +1,7 @@
 //! `cargo xtask reproduce-paper`: Tables 1 to 3 of the paper, measured and set beside the printed
-//! numbers, each sampling reconstructed; and its figures.
+//! numbers, each sampling reconstructed; how few samples there can be; and its figures.
 
+mod fewest;
 pub(crate) mod figures;
 pub(crate) mod models;
 mod tables;
@@ -19,9 +20,12 @@ use tables::{Points, Run};
 /// What was typed.
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Only this table
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3))]
+    /// Only this table; 4 is the block of the fewest samples
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=4))]
     table: Option<u8>,
+    /// How long to look for fewer samples that are verified: so often are they shaken
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    rounds: usize,
     /// A folder of parallel.svg, teaser.svg, bunny.svg and cat.svg, instead of fixtures/paper, if it was fetched, or
     /// the redrawn curves
     #[arg(long, value_name = "DIR")]
@@ -64,6 +68,11 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
         curves: origin,
         table1: if shows(args, 1) {
             tables::table_1()
+        } else {
+            Vec::new()
+        },
+        fewest: if shows(args, 4) && runs(args).contains(&Run::Voronoi(tables::CONVERGED)) {
+            fewest::rows(&models, args.rounds)?
         } else {
             Vec::new()
         },

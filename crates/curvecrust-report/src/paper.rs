@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 pub use crate::agreement::Disagreement;
+use crate::fewest::FewestRow;
 
 /// Whose drawings the tables were computed on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -119,6 +120,8 @@ pub struct PaperReport {
     pub table2: Vec<Table2Row>,
     /// Table 3, setting by setting.
     pub table3: Vec<Table3Row>,
+    /// The fewest samples of every model.
+    pub fewest: Vec<FewestRow>,
 }
 
 impl PaperReport {

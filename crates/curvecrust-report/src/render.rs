@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use crate::agreement::limit_name;
 use crate::paper::{Counts, CurveOrigin, PaperReport, Setting};
-use crate::published;
+use crate::{fewest, published};
 
 /// Why rows cannot be written.
 #[derive(Debug, Error)]
@@ -20,7 +20,7 @@ pub enum RenderError {
     Json(#[from] serde_json::Error),
 }
 
-const CONDITIONS: [&str; 3] = ["rho < 0.9", "eps < 0.47", "eps < 1/3"];
+pub(crate) const CONDITIONS: [&str; 3] = ["rho < 0.9", "eps < 0.47", "eps < 1/3"];
 
 /// The tables in Markdown, beside what the paper prints, for reading on a terminal too.
 #[must_use]
@@ -33,7 +33,7 @@ pub fn markdown(report: &PaperReport) -> String {
         text += &table_2(report, setting);
         text += &table_3(report, setting);
     }
-    text
+    text + &fewest::markdown(report)
 }
 
 /// One line for every number: table, subject, setting, quantity, value, and the paper's value.
@@ -116,6 +116,21 @@ pub fn csv(report: &PaperReport) -> Result<String, RenderError> {
         ];
         lines.push([&start[..], &end[..]].concat());
     }
+    for row in &report.fewest {
+        for (quantity, value, paper) in fewest::quantities(row) {
+            let line = [
+                "fewest",
+                curves,
+                row.model,
+                "voronoi",
+                "adaptive",
+                &format!("{}, {quantity}", row.condition),
+                &value.to_string(),
+                &paper.map_or_else(String::new, |n| n.to_string()),
+            ];
+            lines.push(line.map(str::to_owned).to_vec());
+        }
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     for line in lines {
         writer.write_record(line)?;
@@ -126,7 +141,7 @@ pub fn csv(report: &PaperReport) -> Result<String, RenderError> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The rows as they are: `{"curves", "table1": [...], "table2": [...], "table3": [...]}`.
+/// The rows as they are: `{"curves", "table1": [...], "table2": [...], "table3": [...], "fewest": [...]}`.
 ///
 /// # Errors
 /// If the JSON writer fails, which it does not in memory.

@@ -41,11 +41,13 @@ pub struct VerifiedSampling {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DeviationLimit {
     /// As far as it likes. Then the manifold boundary need not look like the curve at all: most curves
-    /// end up with four samples.
+    /// end up with four samples, of which HNN-Crust returns the quadrilateral.
     None,
     /// Nearer than this length: a Hausdorff limit.
     Length(f64),
-    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial axis.
+    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial axis: the point
+    /// of the chord that is nearest to a curve point moves along all of it, and is within lfs every time. So the
+    /// polygon can be deformed into the curve without touching the axis.
     OfLfs(f64),
 }
 

@@ -13,13 +13,13 @@ use curvecrust::sampling::{Condition, sample_as_published, theory};
 use rayon::prelude::*;
 
 /// An estimator of lfs, and the dense points that it works on.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Run {
     Voronoi(Points),
     ShrinkingBall(Points),
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Points {
     /// 300 a segment, as in the paper.
     PerSegment,
@@ -127,6 +127,7 @@ pub(crate) fn tables_2_and_3(
         table1: Vec::new(),
         table2: second.into_iter().flatten().collect(),
         table3: third.into_iter().flatten().collect(),
+        fewest: Vec::new(),
     })
 }
 

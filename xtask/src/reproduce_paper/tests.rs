@@ -2,6 +2,7 @@
 //! authors'.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use super::fewest;
 use super::models::{self, Model};
 use super::tables::{self, Points, Run};
 use crate::root::root;
@@ -96,6 +97,35 @@ fn converged_counts_have_converged() {
             assert!(a.abs_diff(*b) as f64 <= allowed, "{here:?} {halved:?}");
         }
     }
+}
+
+#[test]
+fn fewest_samples_are_fewer_and_reconstructed() {
+    let models: Vec<Model> = redrawn().into_iter().take(2).collect();
+    let report = PaperReport {
+        fewest: fewest::rows(&models, 3).unwrap(),
+        ..tables::tables_2_and_3(&[], &[], [false, false]).unwrap()
+    };
+    assert_eq!(report.agreement(), []);
+    assert_eq!(report.fewest.len(), 6);
+    for row in &report.fewest {
+        assert!(row.fewest <= row.greedy, "{row:?}");
+        assert_eq!(row.verified.is_some(), row.condition == "rho < 0.9");
+        if let Some(verified) = row.verified {
+            assert!(verified.within_lfs < row.greedy, "{row:?}");
+            assert!(verified.no_limit < verified.within_percent, "{row:?}");
+        }
+    }
+    let text = render::markdown(&report);
+    assert!(text.starts_with("## Beyond the paper") && text.contains("| teaser   | rho < 0.9"));
+    assert_eq!(
+        render::csv(&report).unwrap().lines().count(),
+        1 + 2 * (5 + 2 + 2)
+    );
+
+    let mut wrong = report;
+    wrong.fewest[0].fewest = wrong.fewest[0].greedy + 1;
+    assert_eq!(wrong.agreement().len(), 1);
 }
 
 #[test]
