@@ -68,13 +68,14 @@ impl HeatMap {
         };
         let (cell, high) = (30.0, 30.0 + name_line);
         let top = 40.0 + slanted + 14.0;
-        let all = (left + wide * self.rows.len() as f64 + slanted.max(20.0)).max(left + 260.0);
         let height = top + high * self.columns.len() as f64 + 14.0;
         // There, the title says once what the cells have no room for.
         let title = match width {
             Width::Wide => "Exactly the true edges, share of trials",
             Width::Narrow => "Exactly the true edges, % of trials",
         };
+        let cells = left + wide * self.rows.len() as f64 + slanted.max(20.0);
+        let all = cells.max(24.0 + 1.25 * text_width(title));
         let written = |share| match width {
             Width::Wide => percent(share),
             Width::Narrow => percent(share).replace(" %", ""),

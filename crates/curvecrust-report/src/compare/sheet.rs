@@ -245,7 +245,8 @@ impl Panel {
         let share = self.unit == "share";
         let scale = if log { Scale::Log } else { Scale::Linear };
         let lines = self.lines.iter().map(|line| Line {
-            name: match line.slope().filter(|_| log) {
+            // Of memory, what does not grow is too large a part.
+            name: match line.slope().filter(|_| self.metric == "run_time") {
                 Some(slope) => format!("{} n^{slope:.2}", line.algorithm),
                 None => line.algorithm.clone(),
             },

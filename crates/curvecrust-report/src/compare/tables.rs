@@ -111,11 +111,13 @@ pub(crate) fn panel_cells(panel: &Panel, sweep: &str) -> (Vec<String>, Vec<Vec<S
                 Faultless::From(x) => format!("≥ {}", six_digits(x)),
             })
         })),
-        "run_time" | "memory" => {
-            lines.push(closing("exponent of n", &|line| {
-                Some(three_digits(line.slope()?))
-            }));
-        }
+        "run_time" => lines.push(closing("exponent of n", &|line| {
+            Some(three_digits(line.slope()?))
+        })),
+        "memory" => lines.push(closing("bytes a point, at last", &|line| {
+            let last = line.answers.last()?;
+            Some(three_digits(last.mean * 1_048_576.0 / last.x))
+        })),
         _ => {}
     }
     (header, lines)
