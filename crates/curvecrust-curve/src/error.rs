@@ -190,7 +190,7 @@ impl Corner {
             text += &match last {
                 None => format!("component {component} has a corner"),
                 Some(last) if last == component => String::from(", one"),
-                Some(_) => format!("; component {component} one"),
+                Some(_) => format!("; component {component} has one"),
             };
             text += &format!(
                 " of {angle_deg:.3} degrees at the start of segment {segment}, at ({}, {})",
