@@ -1,7 +1,8 @@
 //! What was typed.
 
 use crate::format::Format;
-use clap::builder::PossibleValuesParser;
+use crate::points;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use curvecrust::reconstruct::ALGORITHMS;
@@ -171,7 +172,7 @@ pub(crate) struct Draw {
     #[arg(long, value_name = "POINTS")]
     pub(crate) points: Option<PathBuf>,
     /// The format of the points, if neither name nor content tells
-    #[arg(long, value_name = "FORMAT", requires = "points")]
+    #[arg(long, value_name = "FORMAT", requires = "points", value_parser = readable())]
     pub(crate) from: Option<Format>,
     /// Take equal points for one, instead of refusing them
     #[arg(long, requires = "points")]
@@ -278,7 +279,7 @@ pub(crate) struct Points {
     #[arg(id = "points_path", value_name = "POINTS")]
     pub(crate) path: PathBuf,
     /// The format of the points, if neither name nor content tells
-    #[arg(long, value_name = "FORMAT")]
+    #[arg(long, value_name = "FORMAT", value_parser = readable())]
     pub(crate) from: Option<Format>,
     /// Take equal points for one, instead of refusing them
     #[arg(long)]
@@ -355,6 +356,12 @@ impl FromStr for Distance {
             )),
         }
     }
+}
+
+/// The formats that points are read from.
+fn readable() -> impl TypedValueParser<Value = Format> {
+    let values = points::FORMATS.iter().filter_map(Format::to_possible_value);
+    PossibleValuesParser::new(values).try_map(|name| Format::from_str(&name, false))
 }
 
 fn algorithm_names() -> PossibleValuesParser {

@@ -114,9 +114,19 @@ fn create_beside(path: &Path) -> io::Result<(File, TempPath)> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     let mut unfinished = unfinished();
-    let (file, path) = builder.tempfile_in(folder(path))?.into_parts();
+    let created = builder.tempfile_in(folder(path)).map_err(without_path)?;
+    let (file, path) = created.into_parts();
     *unfinished = Some(path.to_path_buf());
     Ok((file, path))
+}
+
+/// Why a file could not come into being, without the name of the temporary one.
+fn without_path(error: io::Error) -> io::Error {
+    use io::ErrorKind::{NotFound, PermissionDenied, ReadOnlyFilesystem, StorageFull};
+    match error.kind() {
+        kind @ (NotFound | PermissionDenied | ReadOnlyFilesystem | StorageFull) => kind.into(),
+        _ => error,
+    }
 }
 
 fn unfinished() -> MutexGuard<'static, Option<PathBuf>> {

@@ -1,108 +1,50 @@
-//! GeoJSON (RFC 7946): the positions of all `Point`s and `MultiPoint`s, in order.
-//!
-//! Read by serde itself, so that errors name line and column.
+//! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s, in
+//! order.
 
 use super::json::parse;
 use super::{Flaw, Problem, in_range};
 use curvecrust::DVec2;
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, SeqAccess, Visitor};
-use std::fmt;
-
-/// Any object of GeoJSON.
-#[derive(Deserialize)]
-struct Object {
-    r#type: String,
-    coordinates: Option<Coordinates>,
-    geometry: Option<Box<Object>>,
-    #[serde(default)]
-    geometries: Vec<Object>,
-    #[serde(default)]
-    features: Vec<Object>,
-}
-
-/// Numbers in arrays, of any depth.
-enum Coordinates {
-    Number(f64),
-    Array(Vec<Coordinates>),
-}
+use geojson::{GeoJson, Geometry, GeometryValue, Position};
 
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
+    let geometries = match parse(bytes)? {
+        GeoJson::Geometry(geometry) => vec![geometry],
+        // A feature without a geometry is no place.
+        GeoJson::Feature(feature) => Vec::from_iter(feature.geometry),
+        GeoJson::FeatureCollection(collection) => {
+            let features = collection.features.into_iter();
+            features.filter_map(|feature| feature.geometry).collect()
+        }
+    };
     let mut points = Vec::new();
-    collect(&parse(bytes)?, &mut points)?;
+    geometries
+        .iter()
+        .try_for_each(|geometry| collect(geometry, &mut points))?;
     Ok(points)
 }
 
-fn collect(object: &Object, points: &mut Vec<DVec2>) -> Result<(), Problem> {
-    let missing = || Problem::Coordinates(object.r#type.clone());
-    match object.r#type.as_str() {
-        "FeatureCollection" => object.features.iter().try_for_each(|f| collect(f, points)),
-        "GeometryCollection" => object
-            .geometries
-            .iter()
-            .try_for_each(|g| collect(g, points)),
-        // A feature without a geometry is no place.
-        "Feature" => object.geometry.iter().try_for_each(|g| collect(g, points)),
-        "Point" => {
-            points.push(position(object.coordinates.as_ref()).ok_or_else(missing)?);
-            Ok(())
-        }
-        "MultiPoint" => {
-            let Some(Coordinates::Array(positions)) = &object.coordinates else {
-                return Err(missing());
-            };
-            for place in positions {
-                points.push(position(Some(place)).ok_or_else(missing)?);
+fn collect(geometry: &Geometry, points: &mut Vec<DVec2>) -> Result<(), Problem> {
+    match &geometry.value {
+        GeometryValue::Point { coordinates } => points.push(place(coordinates, "Point")?),
+        GeometryValue::MultiPoint { coordinates } => {
+            for position in coordinates {
+                points.push(place(position, "MultiPoint")?);
             }
-            Ok(())
         }
-        other => Err(Problem::Geometry(other.to_owned())),
-    }
-}
-
-fn position(coordinates: Option<&Coordinates>) -> Option<DVec2> {
-    match coordinates? {
-        Coordinates::Array(values) => match values[..] {
-            [Coordinates::Number(x), Coordinates::Number(y)] => Some(DVec2::new(x, y)),
-            _ => None,
-        },
-        Coordinates::Number(_) => None,
-    }
-}
-
-impl<'de> Deserialize<'de> for Coordinates {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(CoordinatesVisitor)
-    }
-}
-
-struct CoordinatesVisitor;
-
-impl<'de> Visitor<'de> for CoordinatesVisitor {
-    type Value = Coordinates;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or an array")
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<Coordinates, E> {
-        let value = in_range(value, || value.to_string()).map_err(E::custom)?;
-        Ok(Coordinates::Number(value))
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Coordinates, E> {
-        Ok(Coordinates::Number(value as f64))
-    }
-
-    fn visit_u64<E: Error>(self, value: u64) -> Result<Coordinates, E> {
-        Ok(Coordinates::Number(value as f64))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Coordinates, A::Error> {
-        let mut values = Vec::new();
-        while let Some(value) = seq.next_element()? {
-            values.push(value);
+        GeometryValue::GeometryCollection { geometries } => {
+            for geometry in geometries {
+                collect(geometry, points)?;
+            }
         }
-        Ok(Coordinates::Array(values))
+        other => return Err(Problem::Geometry(other.type_name().to_owned())),
     }
+    Ok(())
+}
+
+fn place(position: &Position, of: &str) -> Result<DVec2, Problem> {
+    let [x, y] = *position.as_slice() else {
+        return Err(Problem::Coordinates(of.to_owned()));
+    };
+    let value = |value: f64| in_range(value, || value.to_string());
+    Ok(DVec2::new(value(x)?, value(y)?))
 }

@@ -140,8 +140,8 @@ fn number(descr: &str) -> Result<Number, Problem> {
         Some(">f4") => (4, true),
         Some(other) => return Err(Problem::Type(shown(other.as_bytes()))),
         None => {
-            let fields = descr.split_once(']').map_or(descr, |(fields, _)| fields);
-            return Err(Problem::Type(shown(fields.as_bytes())));
+            let end = descr.find(']').map_or(descr.len(), |bracket| bracket + 1);
+            return Err(Problem::Type(shown(&descr.as_bytes()[..end])));
         }
     };
     Ok(Number { bytes, big_endian })

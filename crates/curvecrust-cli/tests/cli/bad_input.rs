@@ -164,7 +164,7 @@ fn geojson_that_holds_no_points() {
             "p.geojson",
             "{\"type\": \"Point\",\n\"coordinates\": [1, \"b\"]}"
         ),
-        "p.geojson, line 2, column 22: invalid type: string \"b\", expected a number or an array"
+        "p.geojson, line 2, column 22: invalid type: string \"b\", expected f64"
     );
     assert_eq!(
         error(
@@ -212,7 +212,7 @@ fn numpy_arrays_that_hold_no_points() {
         ),
         (
             npy("[('x', '<f8')]", "(2, 2)", &ones),
-            "the numbers are `[(\\'x\\', \\'<f8\\')`: save them as float64 or float32",
+            "the numbers are `[('x', '<f8')]`: save them as float64 or float32",
         ),
         (npy("'<f8'", "(0, 2)", &[]), "there are no points"),
         (b"\x93NUMPY\x01\x00\x10".to_vec(), "this is no NumPy array"),

@@ -93,6 +93,7 @@ fn objects_have_the_documented_keys() {
         ("evaluate", format!("evaluate {curve} s.csv")),
         ("medial-axis", format!("medial-axis {curve}")),
         ("lfs", format!("lfs {curve}")),
+        ("algorithms", String::from("algorithms")),
     ] {
         let object = json(&folder.run(&format!("{line} --json")).stdout);
         let Value::Object(object) = object else {

@@ -65,6 +65,26 @@ fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
     assert_eq!(folder.names(), ["p.xy"]);
 }
 
+/// Where nobody may make a file, not even root.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_that_is_not_writable_is_an_error() {
+    let folder = Folder::with("p.xy", POINTS);
+    let found = folder
+        .run("reconstruct p.xy -o /sys/curvecrust.csv")
+        .error();
+    let says = "error: cannot write /sys/curvecrust.csv: ";
+    // The second where /sys is mounted to be read only.
+    let reasons = [
+        "permission denied",
+        "read-only filesystem or storage medium",
+    ];
+    assert!(
+        reasons.map(|r| format!("{says}{r}")).contains(&found),
+        "{found}"
+    );
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_an_error() {
