@@ -7,7 +7,8 @@ use crate::segment::Segment;
 /// Segments in a balanced tree of boxes, for nearest-segment queries.
 ///
 /// Built by halving at the median midpoint, so that neither uneven density nor segments that run far
-/// out unbalance it: O(n log n), and several times faster than an R*-tree to build and to ask.
+/// out unbalance it: O(n log n), and several times faster than an R*-tree to build and to ask. The
+/// boxes lie along the segments in them.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, Segment, SegmentTree};
@@ -24,36 +25,88 @@ pub struct SegmentTree {
     /// In the order of the leaves.
     segments: Vec<Segment>,
     /// The root, then the two boxes of each node: those of node `i` are `2 i + 1` and `2 i + 2`.
-    boxes: Vec<Aabb>,
+    boxes: Vec<Rectangle>,
 }
 
 /// The segments of a node are halved until they are at most so many.
 const LEAF: usize = 8;
 
+/// A rectangle in any direction. Pieces of smooth curves fill long thin ones, which keep clear of
+/// discs that touch the curve nearby; upright boxes reach into them.
 #[derive(Clone, Copy, Debug)]
-struct Aabb {
-    low: DVec2,
-    high: DVec2,
+struct Rectangle {
+    centre: DVec2,
+    /// The direction of one side, of length 1.
+    axis: DVec2,
+    /// Half the extents along the axis and across.
+    half: DVec2,
 }
 
-impl Aabb {
+impl Rectangle {
     const EMPTY: Self = Self {
-        low: DVec2::INFINITY,
-        high: DVec2::NEG_INFINITY,
+        centre: DVec2::ZERO,
+        axis: DVec2::X,
+        half: DVec2::NEG_INFINITY,
     };
 
-    fn around(points: impl IntoIterator<Item = DVec2>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Self {
-            low: b.low.min(p),
-            high: b.high.max(p),
-        })
+    /// The smaller of two rectangles around points: upright, or along a diameter of the points.
+    fn around(points: &[DVec2]) -> Self {
+        let Some(&first) = points.first() else {
+            return Self::EMPTY;
+        };
+        let farthest = |from: DVec2| {
+            points.iter().fold(from, |far, &p| {
+                let farther = p.distance_squared(from) > far.distance_squared(from);
+                if farther { p } else { far }
+            })
+        };
+        let end = farthest(first);
+        let diameter = (farthest(end) - end).normalize_or(DVec2::X);
+        let [upright, along] = [DVec2::X, diameter].map(|axis| Self::along(axis, first, points));
+        if along.half.x * along.half.y < upright.half.x * upright.half.y {
+            along
+        } else {
+            upright
+        }
     }
 
+    fn along(axis: DVec2, first: DVec2, points: &[DVec2]) -> Self {
+        let (low, high) =
+            points
+                .iter()
+                .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| {
+                    let (along, across) = (axis.dot(p - first), axis.perp_dot(p - first));
+                    let local = DVec2::new(along, across);
+                    (low.min(local), high.max(local))
+                });
+        let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+        let centre = first + axis * middle.x + axis.perp() * middle.y;
+        // More than what rounding may take from the extents or move the centre.
+        let size = centre.abs().max_element() + first.abs().max_element() + half.max_element();
+        Self {
+            centre,
+            axis,
+            half: half + size * 16.0 * f64::EPSILON,
+        }
+    }
+
+    fn corners(&self) -> [DVec2; 4] {
+        let (along, across) = (self.axis * self.half.x, self.axis.perp() * self.half.y);
+        [
+            along + across,
+            along - across,
+            -along - across,
+            across - along,
+        ]
+        .map(|to_corner| self.centre + to_corner)
+    }
+
+    /// No more than the squared distance of `p` to anything inside.
     fn distance_squared(&self, p: DVec2) -> f64 {
-        (self.low - p)
-            .max(p - self.high)
-            .max(DVec2::ZERO)
-            .length_squared()
+        let d = p - self.centre;
+        let local = DVec2::new(d.dot(self.axis).abs(), self.axis.perp_dot(d).abs());
+        let beyond = (local - self.half).max(DVec2::ZERO);
+        beyond.length_squared() * (1.0 - 32.0 * f64::EPSILON)
     }
 }
 
@@ -85,7 +138,7 @@ impl SegmentTree {
             .next_power_of_two()
             .ilog2();
         let mut tree = Self {
-            boxes: vec![Aabb::EMPTY; (2 << depth) - 1],
+            boxes: vec![Rectangle::EMPTY; (2 << depth) - 1],
             segments,
         };
         build(&mut tree.segments, &mut tree.boxes, 0);
@@ -139,27 +192,43 @@ impl SegmentTree {
 }
 
 /// Orders the segments of a node for its descendants, and fills in their boxes.
-fn build(segments: &mut [Segment], boxes: &mut [Aabb], node: usize) {
-    boxes[node] = Aabb::around(segments.iter().flat_map(|s| [s.a, s.b]));
+fn build(segments: &mut [Segment], boxes: &mut [Rectangle], node: usize) {
     if 2 * node + 2 >= boxes.len() {
+        let mut ends = [DVec2::ZERO; 2 * LEAF];
+        for (ends, s) in ends.chunks_exact_mut(2).zip(&*segments) {
+            ends.copy_from_slice(&[s.a, s.b]);
+        }
+        boxes[node] = Rectangle::around(&ends[..2 * segments.len()]);
         return;
     }
     let middle = segments.len() / 2;
-    let extent = Aabb::around(segments.iter().map(|s| s.a.midpoint(s.b)));
-    let DVec2 { x, y } = extent.high - extent.low;
+    let (low, high) = segments
+        .iter()
+        .map(twice_midpoint)
+        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), m| {
+            (low.min(m), high.max(m))
+        });
+    let DVec2 { x, y } = high - low;
     if middle > 0 {
-        // Twice the midpoints.
-        if x > y {
-            let key = |s: &Segment| s.a.x + s.b.x;
-            segments.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
-        } else {
-            let key = |s: &Segment| s.a.y + s.b.y;
-            segments.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
-        }
+        let key = |s: &Segment| {
+            let m = twice_midpoint(s);
+            if x > y { m.x } else { m.y }
+        };
+        segments.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
     }
     let (before, after) = segments.split_at_mut(middle);
     build(before, boxes, 2 * node + 1);
     build(after, boxes, 2 * node + 2);
+    let halves = [boxes[2 * node + 1], boxes[2 * node + 2]];
+    let corners = halves.map(|half| half.corners());
+    // With fewer segments than leaves, the first half is empty more often.
+    let from = if before.is_empty() { 1 } else { 0 };
+    let to = if after.is_empty() { 1 } else { 2 };
+    boxes[node] = Rectangle::around(corners[from.min(to)..to].as_flattened());
+}
+
+fn twice_midpoint(s: &Segment) -> DVec2 {
+    s.a + s.b
 }
 
 #[cfg(test)]
