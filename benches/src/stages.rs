@@ -4,6 +4,7 @@ use curvecrust_geometry::{EdgeSet, PointSet, PointSetError};
 use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
 use curvecrust_reconstruct::{crust, hnn_crust, nn_crust};
 use curvecrust_voronoi::Delaunay;
+use glam::DVec2;
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
 use crate::generators::{many_curves, mixed_scale, one_curve, uniform};
@@ -116,6 +117,7 @@ fn one_against_kiddo(name: &str, points: &PointSet, goal: Goal, rounds: usize) -
 pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
     let points = many_curves(sizes.large, 1)?.points;
     let few = many_curves(sizes.medium, 1)?.points;
+    let outlying = with_outlier(&points)?;
     let keys = peers::keys(sizes.large);
     let tasks = vec![
         Task::new("hnn-crust", || hnn_crust(&points)),
@@ -124,9 +126,11 @@ pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
         Task::new("neighbours", || neighbours(&points, HalfRule::Bisector)),
         Task::new("hnn-crust of few", || hnn_crust(&few)),
         Task::new("rstar of few", || peers::rstar_hnn_crust(&few)),
+        Task::new("with an outlier", || hnn_crust(&outlying)),
     ];
     let times = medians(tasks, sizes.rounds);
     let [ours, sort, nn, list] = [0, 1, 2, 3].map(|i| per_element(times[i], points.len()));
+    let outlier = per_element(times[6], points.len());
     let [of_few, rstar] = [4, 5].map(|i| per_element(times[i], few.len()));
     let count = points.len();
     let row = |what: String, measured, figure, goal| Row {
@@ -161,7 +165,23 @@ pub fn alone(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
             times[4] / times[5],
             Goal::None,
         ),
+        row(
+            format!("HNN-Crust, an outlier 1000 diameters away / without, many-curves {count}"),
+            format!("{outlier} / {ours} a point"),
+            times[6] / times[0],
+            Goal::None,
+        ),
     ])
+}
+
+/// The points and one more, a thousand times their extent away.
+fn with_outlier(points: &PointSet) -> Result<PointSet, PointSetError> {
+    let mut points = points.points().to_vec();
+    let extent = points
+        .iter()
+        .fold(0.0, |e: f64, p| e.max(p.abs().max_element()));
+    points.push(DVec2::new(-1000.0 * extent, 0.0));
+    PointSet::new(points)
 }
 
 /// The growth of HNN-Crust in time, as an exponent; one thread.
