@@ -1,0 +1,18 @@
+//! The program's readers of points, one format each and by what content looks like.
+
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+
+/// The last has none: it is guessed.
+const EXTENSIONS: [&str; 8] = ["csv", "xy", "json", "geojson", "npy", "svg", "wkt", ""];
+
+fuzz_target!(|input: (u8, &[u8])| {
+    let (which, bytes) = input;
+    let extension = EXTENSIONS[usize::from(which) % EXTENSIONS.len()];
+    match curvecrust_cli::count_points(bytes.to_vec(), extension) {
+        Ok(points) => assert!(0 < points && points <= bytes.len()),
+        // Fit for a terminal.
+        Err(message) => assert!(!message.chars().any(|c| c.is_control() && c != '\n')),
+    }
+});
