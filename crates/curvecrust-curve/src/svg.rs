@@ -16,7 +16,10 @@
 //!   images. No file is ever opened.
 //! - **Refused** is what usvg would leave out or misplace without saying so: attributes that are
 //!   malformed or out of range, geometry in CSS, references to nothing.
+//! - **Bounded**, for documents that nobody vouches for: the [`expansion`] of entities, levels of elements,
+//!   elements and segments drawn. Nothing outside of the document is ever read.
 
+mod entities;
 mod strict;
 
 use std::collections::{BTreeMap, HashMap};
@@ -31,9 +34,13 @@ use crate::component::Component;
 use crate::dense::DENSE_LIMIT;
 use crate::error::CurveError;
 use crate::path_data::Pen;
+pub use entities::expansion;
 use strict::{PathElement, label, unsupported};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
+
+/// The largest [`expansion`] of a document that is read: 16 MiB.
+pub const MAX_EXPANSION: usize = 1 << 24;
 
 /// Segments drawn: more than that cannot be discretised.
 const MAX_SEGMENTS: usize = DENSE_LIMIT;
@@ -81,6 +88,11 @@ pub(crate) fn parse<T>(
 }
 
 fn parse_xml(text: &str) -> Result<Document<'_>, CurveError> {
+    if expansion(text) > MAX_EXPANSION {
+        return Err(unsupported(format!(
+            "its entities stand for more than {MAX_EXPANSION} bytes: write out what they stand for"
+        )));
+    }
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()

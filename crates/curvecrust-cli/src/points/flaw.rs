@@ -101,6 +101,8 @@ pub(crate) enum Problem {
     Xml(String),
     #[error("the elements are more than {0} levels deep: simplify the document")]
     Deep(usize),
+    #[error("its entities stand for more than {0} bytes: write out what they stand for")]
+    Entities(usize),
     #[error("there are no circles and no paths")]
     NoShapes,
     #[error("`{0}` elements are not followed: put the shapes themselves in the drawing")]

@@ -4,6 +4,7 @@
 use super::flaw::shown;
 use super::{Flaw, Place, Problem, in_range};
 use curvecrust::DVec2;
+use curvecrust::curve::svg::{MAX_EXPANSION, expansion};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::str::FromStr;
 use svgtypes::{Length, LengthUnit, PathParser, PathSegment, PointsParser, Transform};
@@ -18,6 +19,9 @@ const DEEPEST: usize = 128;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotSvg)?;
+    if expansion(text) > MAX_EXPANSION {
+        return Err(Problem::Entities(MAX_EXPANSION).into());
+    }
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()

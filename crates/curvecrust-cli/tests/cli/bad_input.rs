@@ -326,3 +326,15 @@ fn what_steers_a_terminal_is_not_printed() {
     assert!(message.contains("\\u{1b}"), "{message}");
     assert!(!message.chars().any(char::is_control), "{message}");
 }
+
+#[test]
+fn entities_do_not_fill_the_memory() {
+    let long = "0 ".repeat(500_000);
+    let uses = "&e;".repeat(200_000);
+    let svg =
+        format!("<!DOCTYPE svg [<!ENTITY e '{long}'>]><svg><polyline points='{uses}'/></svg>");
+    assert_eq!(
+        error("p.svg", svg),
+        "p.svg: its entities stand for more than 16777216 bytes: write out what they stand for"
+    );
+}

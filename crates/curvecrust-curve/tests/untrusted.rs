@@ -1,0 +1,95 @@
+//! Documents that nobody vouches for: none of them fills the memory, takes long or reads a file. Levels,
+//! elements and segments have their tests in `bad_input.rs`.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use curvecrust_curve::svg::{MAX_EXPANSION, expansion};
+use curvecrust_curve::{Curve, CurveError};
+
+fn document(entities: &str, content: &str) -> String {
+    format!(
+        "<!DOCTYPE svg [{entities}]><svg xmlns='http://www.w3.org/2000/svg' \
+         xmlns:xlink='http://www.w3.org/1999/xlink' viewBox='0 0 9 9'>{content}</svg>"
+    )
+}
+
+#[test]
+fn a_long_entity_used_often_is_refused() {
+    // 100 GB, from a megabyte.
+    let long = "H1 ".repeat(200_000);
+    let d = format!("M0 0{}", "&e;".repeat(170_000));
+    let svg = document(
+        &format!("<!ENTITY e '{long}'>"),
+        &format!("<path d='{d}'/>"),
+    );
+    assert!(expansion(&svg) > 100_000_000_000);
+    let error = Curve::from_svg(&svg).unwrap_err();
+    assert!(matches!(&error, CurveError::Unsupported { .. }));
+    assert!(error.to_string().contains("16777216 bytes"), "{error}");
+}
+
+#[test]
+fn entities_of_entities_are_refused() {
+    let mut entities = "<!ENTITY l0 'lollollollollollol'>".to_owned();
+    for k in 0..60 {
+        let ten = format!("&l{k};").repeat(10);
+        entities += &format!("<!ENTITY l{} \"{ten}\">", k + 1);
+    }
+    let svg = document(&entities, "<title>&l60;</title>");
+    assert_eq!(expansion(&svg), usize::MAX);
+    assert!(Curve::from_svg(&svg).is_err());
+    // Loops too, by the reader of XML.
+    let looped = document("<!ENTITY a '&b;'><!ENTITY b '&a;'>", "<title>&a;</title>");
+    assert!(expansion(&looped) < MAX_EXPANSION);
+    assert!(matches!(
+        Curve::from_svg(&looped),
+        Err(CurveError::Xml { .. })
+    ));
+}
+
+#[test]
+fn what_is_below_the_limit_is_read() {
+    let steps = "h1 ".repeat(1_000);
+    let path = "<path d='M0 0 &e;'/><path d='M0 5 &e;'/>";
+    let svg = document(&format!("<!ENTITY e '{steps}'>"), path);
+    assert_eq!(expansion(&svg), 2 * steps.len());
+    assert!((Curve::from_svg(&svg).unwrap().extent() - 1_000.0).abs() < 1e-9);
+}
+
+/// The files are there; what they hold is in no curve and in no message.
+#[test]
+fn nothing_outside_of_the_document_is_read() {
+    let folder = concat!("file://", env!("CARGO_MANIFEST_DIR"));
+    let drawing = "<path d='M0 0 h1'/>";
+    let entity = format!("<!ENTITY e SYSTEM '{folder}/Cargo.toml'>");
+    let read = Curve::from_svg(&document(&entity, &format!("{drawing}<title>&e;</title>")));
+    assert!(matches!(read, Err(CurveError::Xml { .. })));
+    assert!(Curve::from_svg(&document(&entity, drawing)).is_ok());
+    for element in ["image", "use"] {
+        for attribute in ["href", "xlink:href"] {
+            let far = format!("{folder}/../../fixtures/curves/bunny.svg#bunny");
+            let svg = document(
+                "",
+                &format!("{drawing}<{element} {attribute}='{far}' width='9' height='9'/>"),
+            );
+            match Curve::from_svg(&svg) {
+                // Images are no curves.
+                Ok(curve) => assert_eq!((element, curve.components().len()), ("image", 1)),
+                Err(error) => assert!(
+                    error.to_string().contains("no element of the document"),
+                    "{error}"
+                ),
+            }
+        }
+    }
+    let sheet = format!(
+        "<style>@import url('{folder}/a.css'); path {{ fill: url('{folder}/b.svg#c') }}</style>"
+    );
+    assert_eq!(
+        Curve::from_svg(&document("", &(sheet + drawing)))
+            .unwrap()
+            .components()
+            .len(),
+        1
+    );
+}
