@@ -110,7 +110,7 @@ fn scales() -> impl Strategy<Value = Vec<DVec2>> {
 }
 
 /// To multiples of 2^-digits.
-fn rounded(p: DVec2, digits: i32) -> DVec2 {
+pub(crate) fn rounded(p: DVec2, digits: i32) -> DVec2 {
     let scale = 2f64.powi(digits);
     (p * scale).round() / scale
 }

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that fails panics")]
 
+#[path = "../../../curvecrust/tests/adversarial/inputs.rs"]
+#[allow(dead_code, reason = "shared with the tests and benches of costs")]
+mod adversarial;
 mod exact;
 mod inputs;
 mod least_detour;
@@ -13,7 +16,7 @@ use curvecrust_reconstruct::{
     ViolationReport, one_step_crust,
 };
 use curvecrust_voronoi::Delaunay;
-use inputs::{any_points, distances_differ, mapped, shifted};
+use inputs::{any_points, distances_differ, mapped, rounded, shifted};
 use proptest::prelude::*;
 
 /// The edges from the definition.
@@ -54,6 +57,22 @@ fn permuted(points: &PointSet, order: &[PointId]) -> PointSet {
 fn relabelled(edges: &EdgeSet, order: &[PointId]) -> EdgeSet {
     let old = |e: &Edge| Edge::new(order[e.a().index()], order[e.b().index()]);
     EdgeSet::new(edges.vertex_count(), edges.edges().iter().filter_map(old))
+}
+
+#[test]
+fn hard_points_are_joined_as_defined() {
+    for cell in adversarial::CELLS {
+        for count in [12, 23] {
+            // The oracles compute with multiples of 2^-100.
+            let given = (cell.points)(count).into_iter().map(|p| rounded(p, 100));
+            let points = PointSet::merging_duplicates(given.collect()).unwrap();
+            for algorithm in ALGORITHMS {
+                let name = algorithm.info().name;
+                let found = algorithm.reconstruct(&points.points);
+                assert_eq!(found, oracle(name, &points.points), "{name}: {}", cell.name);
+            }
+        }
+    }
 }
 
 proptest! {
