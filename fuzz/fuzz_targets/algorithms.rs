@@ -49,9 +49,16 @@ fuzz_target!(|points: NearlyDegenerate| {
     }
     let mutual = hnn_crust(&points);
     assert!(mutual.degrees().iter().all(|&degree| degree <= 2));
-    assert_eq!(mutual.difference(&HnnCrust::UNION.reconstruct(&points)).count(), 0);
+    assert_eq!(
+        mutual
+            .difference(&HnnCrust::UNION.reconstruct(&points))
+            .count(),
+        0
+    );
     let termini: Vec<PointId> = points.ids().step_by(3).collect();
-    let open = HnnCrust::MUTUAL.reconstruct_open(&points, &termini).unwrap();
+    let open = HnnCrust::MUTUAL
+        .reconstruct_open(&points, &termini)
+        .unwrap();
     let degrees = open.degrees();
     assert!(termini.iter().all(|t| degrees[t.index()] <= 1));
 

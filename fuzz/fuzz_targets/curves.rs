@@ -48,7 +48,9 @@ fn condition(curve: &Curve, bound: u8, with_limit: bool) -> Condition {
         Condition::rho(share).unwrap()
     };
     if with_limit {
-        condition.with_hausdorff_limit(0.01 * curve.extent()).unwrap()
+        condition
+            .with_hausdorff_limit(0.01 * curve.extent())
+            .unwrap()
     } else {
         condition
     }

@@ -10,7 +10,9 @@ fuzz_target!(|text: &str| {
     hold(Curve::from_path_data(text));
     // Path data in a document is what they are alone.
     if let Ok(curve) = Curve::from_path_data(text)
-        && text.chars().all(|c| c.is_ascii_alphanumeric() || " -+.,".contains(c))
+        && text
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || " -+.,".contains(c))
     {
         let document = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="{text}"/></svg>"#
@@ -34,7 +36,11 @@ fn hold(curve: Result<Curve, CurveError>) {
     assert!(!curve.components().is_empty());
     for component in curve.components() {
         let segments = component.segments();
-        assert!(segments.windows(2).all(|pair| pair[0].end() == pair[1].start()));
+        assert!(
+            segments
+                .windows(2)
+                .all(|pair| pair[0].end() == pair[1].start())
+        );
         if component.is_closed() {
             assert_eq!(segments[0].start(), segments[segments.len() - 1].end());
         }

@@ -57,7 +57,11 @@ fn component(u: &mut Unstructured<'_>, d: &mut String, centre: DVec2, scale: f64
     let _ = write!(d, "M {} {} ", start.x, start.y);
     let closed = kind != 2 && u.ratio(7, 8)?;
     let next = knots.iter().cycle().skip(1);
-    for ((p, u, a), (q, v, b)) in knots.iter().zip(next).take(knots.len() - usize::from(!closed)) {
+    for ((p, u, a), (q, v, b)) in knots
+        .iter()
+        .zip(next)
+        .take(knots.len() - usize::from(!closed))
+    {
         let (first, second) = (p + u * a[0], q - v * b[1]);
         let _ = write!(d, "C {} {} {} {} ", first.x, first.y, second.x, second.y);
         let _ = write!(d, "{} {} ", q.x, q.y);
