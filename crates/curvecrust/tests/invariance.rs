@@ -109,6 +109,8 @@ fn scale_and_place_do_not_matter() {
     }
 }
 
+type Turn = fn(DVec2) -> DVec2;
+
 #[test]
 fn quarter_turns_and_mirrors_do_not_matter_without_ties() {
     let mut without_ties = 0;
@@ -117,7 +119,7 @@ fn quarter_turns_and_mirrors_do_not_matter_without_ties() {
             continue;
         }
         without_ties += 1;
-        let turns: [(&str, fn(DVec2) -> DVec2); 5] = [
+        let turns: [(&str, Turn); 5] = [
             ("turned by 90", DVec2::perp),
             ("turned by 180", |p| -p),
             ("turned by 270", |p| -p.perp()),
