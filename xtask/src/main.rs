@@ -7,6 +7,7 @@
 )]
 
 mod bench;
+mod ci;
 mod compare;
 mod docs;
 mod fetch_paper_data;
@@ -35,6 +36,8 @@ struct Cli {
 enum Task {
     /// Check the whole workspace: format, lints, tests, doctests, docs
     Test(test::Args),
+    /// What has to pass before a change goes in: all of it, or the steps that are named
+    Ci(ci::Args),
     /// Lay the paper authors' curves and points (GPL-3.0) under fixtures/paper, which git ignores
     FetchPaperData(fetch_paper_data::Args),
     /// Measure against peers and goals, print the table, write it under target/bench
@@ -50,6 +53,7 @@ enum Task {
 fn main() -> ExitCode {
     let outcome = match Cli::parse().task {
         Task::Test(args) => test::run(&args),
+        Task::Ci(args) => ci::run(&args),
         Task::FetchPaperData(args) => fetch_paper_data::run(&args),
         Task::Bench(args) => bench::run(&args),
         Task::Compare(args) => compare::run(&args),

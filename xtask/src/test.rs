@@ -1,5 +1,6 @@
 //! `cargo xtask test`: every check of the project, in the order in which they fail fastest.
 
+use crate::ci::Outcome;
 use crate::root::root;
 use anyhow::Context;
 use std::env;
@@ -12,7 +13,7 @@ use std::time::{Duration, Instant};
 pub(crate) struct Args {}
 
 /// One command of cargo.
-struct Step {
+pub(crate) struct Step {
     name: &'static str,
     /// A variable that holds flags, and the flag to add to it.
     flag: Option<(&'static str, &'static str)>,
@@ -20,12 +21,12 @@ struct Step {
     arguments: &'static str,
 }
 
-const FORMAT: Step = Step {
+pub(crate) const FORMAT: Step = Step {
     name: "format",
     flag: None,
     arguments: "fmt --all -- --check",
 };
-const CLIPPY: Step = Step {
+pub(crate) const CLIPPY: Step = Step {
     name: "clippy",
     flag: None,
     arguments: "clippy --workspace --all-targets -- -D warnings",
@@ -41,28 +42,27 @@ const CARGO_TEST: Step = Step {
     flag: None,
     arguments: "test --workspace --lib --bins --tests --examples",
 };
-const DOCTESTS: Step = Step {
+pub(crate) const DOCTESTS: Step = Step {
     name: "doctests",
     flag: None,
     arguments: "test --workspace --doc",
 };
-const DOCS: Step = Step {
+pub(crate) const DOCS: Step = Step {
     name: "docs",
     flag: Some(("RUSTDOCFLAGS", "-Dwarnings")),
     arguments: "doc --workspace --no-deps",
 };
 
 /// How the steps went, in the order of the run.
-struct Outcome {
+struct Run {
     times: Vec<(&'static str, Duration)>,
     failed: Option<Step>,
 }
 
 /// Runs the steps up to the first that fails, and shows the time of each.
 pub(crate) fn run(_: &Args) -> anyhow::Result<ExitCode> {
-    let tests = if has_nextest() { NEXTEST } else { CARGO_TEST };
-    let steps = [FORMAT, CLIPPY, tests, DOCTESTS, DOCS];
-    let Outcome { times, failed } = run_until_failure(steps, |step| {
+    let steps = [FORMAT, CLIPPY, tests(), DOCTESTS, DOCS];
+    let Run { times, failed } = run_until_failure(steps, |step| {
         eprintln!("\n== {}: {}", step.name, step.typed());
         step.succeeds()
     })?;
@@ -85,7 +85,7 @@ pub(crate) fn run(_: &Args) -> anyhow::Result<ExitCode> {
 fn run_until_failure(
     steps: impl IntoIterator<Item = Step>,
     mut succeeds: impl FnMut(&Step) -> anyhow::Result<bool>,
-) -> anyhow::Result<Outcome> {
+) -> anyhow::Result<Run> {
     let mut times = Vec::new();
     for step in steps {
         let start = Instant::now();
@@ -93,11 +93,16 @@ fn run_until_failure(
         times.push((step.name, start.elapsed()));
         if !success {
             let failed = Some(step);
-            return Ok(Outcome { times, failed });
+            return Ok(Run { times, failed });
         }
     }
     let failed = None;
-    Ok(Outcome { times, failed })
+    Ok(Run { times, failed })
+}
+
+/// The tests, by nextest if it is there.
+pub(crate) fn tests() -> Step {
+    if has_nextest() { NEXTEST } else { CARGO_TEST }
 }
 
 impl Step {
@@ -105,6 +110,16 @@ impl Step {
     fn typed(&self) -> String {
         let flag = self.flag.map(|(name, flag)| format!("{name}={flag} "));
         format!("{}cargo {}", flag.unwrap_or_default(), self.arguments)
+    }
+
+    /// Runs the step as one of `cargo xtask ci`.
+    pub(crate) fn outcome(&self) -> anyhow::Result<Outcome> {
+        eprintln!("   {}", self.typed());
+        Ok(if self.succeeds()? {
+            Outcome::Passed
+        } else {
+            Outcome::Failed(format!("`{}` failed", self.typed()))
+        })
     }
 
     /// Runs the step; its output goes straight through.
@@ -125,7 +140,7 @@ impl Step {
 }
 
 /// The cargo that runs this task, at the root.
-fn cargo() -> Command {
+pub(crate) fn cargo() -> Command {
     let program = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let mut command = Command::new(program);
     command.current_dir(root()).stdin(Stdio::null());

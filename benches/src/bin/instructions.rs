@@ -1,0 +1,53 @@
+//! One kernel, as often as asked for, on one thread: what `cargo xtask ci instructions` counts.
+
+#![allow(clippy::print_stderr, reason = "a program for a terminal")]
+
+use std::error::Error;
+use std::hint::black_box;
+use std::process::ExitCode;
+
+use curvecrust_benches::curves::dense_one_curve;
+use curvecrust_benches::generators::many_curves;
+use curvecrust_medial_axis::{Estimator, Measured};
+use curvecrust_reconstruct::crust;
+use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
+use curvecrust_sampling::{Condition, sample};
+use curvecrust_voronoi::Delaunay;
+
+/// Points for the algorithms, and dense points of a curve.
+const POINTS: usize = 5_000;
+const DENSE: usize = 3_000;
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let (Some(kernel), Some(runs)) = (arguments.next(), arguments.next()) else {
+        eprintln!("usage: instructions KERNEL RUNS");
+        return Ok(ExitCode::from(2));
+    };
+    let runs: u32 = runs.parse()?;
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build_global()?;
+    run(&kernel, runs)
+}
+
+fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
+    let points = many_curves(POINTS, 1)?.points;
+    let dense = dense_one_curve(DENSE)?;
+    let measured = Measured::new(dense.clone(), Estimator::Voronoi)?;
+    let condition = Condition::rho(0.9)?;
+    for _ in 0..runs {
+        match kernel {
+            "neighbours" => drop(black_box(neighbours(&points, HalfRule::Bisector))),
+            "delaunay" => drop(black_box(Delaunay::new(&points))),
+            "crust" => drop(black_box(crust(&points))),
+            "lfs" => drop(black_box(Measured::new(dense.clone(), Estimator::Voronoi)?)),
+            "sampling" => drop(black_box(sample(&measured, condition)?)),
+            other => {
+                eprintln!("no kernel {other}");
+                return Ok(ExitCode::from(2));
+            }
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}

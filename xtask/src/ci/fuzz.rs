@@ -1,0 +1,85 @@
+//! The fuzz targets, built with plain cargo on a stable toolchain, and run for a while.
+
+use super::Outcome;
+use super::cargo::outcome;
+use crate::root::root;
+use crate::test;
+use anyhow::Context;
+use std::fs;
+use std::process::Command;
+
+/// Seconds for each target.
+const SECONDS: u32 = 30;
+
+/// Coverage as libFuzzer reads it: what cargo-fuzz passes, none of which is unstable.
+const FLAGS: &str = "--cfg fuzzing -Cpasses=sancov-module \
+    -Cllvm-args=-sanitizer-coverage-level=4 \
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
+    -Cllvm-args=-sanitizer-coverage-pc-table \
+    -Cllvm-args=-sanitizer-coverage-trace-compares \
+    -Ccodegen-units=1";
+
+/// Builds all targets and runs each, from the corpus that is there.
+pub(super) fn run() -> anyhow::Result<Outcome> {
+    let workspace = root().join("fuzz");
+    let host = host()?;
+    let mut build = test::cargo();
+    build.current_dir(&workspace).env("RUSTFLAGS", FLAGS);
+    // With a target, flags are not for build scripts.
+    build.args(["build", "--release", "--target", &host]);
+    let built = outcome(build, "cargo build --release, in fuzz")?;
+    if !matches!(built, Outcome::Passed) {
+        return Ok(built);
+    }
+    for target in targets()? {
+        eprintln!("   {target}, {SECONDS} s");
+        let corpus = workspace.join("corpus").join(&target);
+        let artifacts = workspace.join("artifacts").join(&target);
+        fs::create_dir_all(&corpus)?;
+        fs::create_dir_all(&artifacts)?;
+        let program = workspace
+            .join("target")
+            .join(&host)
+            .join("release")
+            .join(&target);
+        let mut command = Command::new(program);
+        command.arg(&corpus);
+        command.arg(format!("-max_total_time={SECONDS}"));
+        command.arg(format!("-artifact_prefix={}/", artifacts.display()));
+        command.args(["-print_final_stats=1", "-verbosity=0", "-timeout=300"]);
+        let dictionary = workspace
+            .join("dictionaries")
+            .join(format!("{target}.dict"));
+        if dictionary.is_file() {
+            command.arg(format!("-dict={}", dictionary.display()));
+        }
+        let ran = outcome(command, &format!("fuzz target {target}"))?;
+        if !matches!(ran, Outcome::Passed) {
+            return Ok(ran);
+        }
+    }
+    Ok(Outcome::Passed)
+}
+
+/// The names of the targets, which are those of their files.
+fn targets() -> anyhow::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(root().join("fuzz/fuzz_targets"))? {
+        let path = entry?.path();
+        names.extend(
+            path.file_stem()
+                .map(|name| name.to_string_lossy().into_owned()),
+        );
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The platform of this compiler.
+fn host() -> anyhow::Result<String> {
+    let output = Command::new("rustc").arg("-vV").output();
+    let output = output.context("cannot run rustc")?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let line = text.lines().find_map(|line| line.strip_prefix("host: "));
+    Ok(line.context("rustc names no host")?.to_owned())
+}
