@@ -79,7 +79,7 @@ pub(crate) struct Reconstruct {
     #[command(flatten)]
     pub(crate) points: Points,
     /// The algorithm: see `curvecrust algorithms`
-    #[arg(long, value_name = "NAME", default_value = "hnn-crust", value_parser = algorithm_names())]
+    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm_names())]
     pub(crate) algorithm: String,
     /// The point at this position of the input, counted from 0, is the end of an open curve
     #[arg(long, value_name = "N")]
@@ -126,7 +126,7 @@ pub(crate) struct Evaluate {
     #[command(flatten)]
     pub(crate) points: Points,
     /// An algorithm, and another one: see `curvecrust algorithms`
-    #[arg(long, value_name = "NAME", default_value = "hnn-crust", value_parser = algorithm_names())]
+    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm_names())]
     pub(crate) algorithm: Vec<String>,
     #[command(flatten)]
     pub(crate) tolerance: Tolerance,
@@ -182,11 +182,14 @@ pub(crate) struct Draw {
         long,
         value_name = "NAME",
         num_args = 0..=1,
-        default_missing_value = "hnn-crust",
+        default_missing_value = "least-detour",
         requires = "points",
         value_parser = algorithm_names()
     )]
     pub(crate) edges: Option<String>,
+    /// Tell the edges apart by why they are there, and what was rejected at open ends
+    #[arg(long, requires = "edges")]
+    pub(crate) why: bool,
     /// Marks at points with another number of edges than on a closed curve
     #[arg(long, requires = "points")]
     pub(crate) violations: bool,

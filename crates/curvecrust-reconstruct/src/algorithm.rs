@@ -8,7 +8,7 @@ use crate::beta_skeleton::BetaSkeleton;
 use crate::crust::Crust;
 use crate::error::ReconstructError;
 use crate::hnn_crust::HnnCrust;
-use crate::least_detour::LeastDetour;
+use crate::least_detour::{Explanation, LeastDetour};
 use crate::nn_crust::NnCrust;
 use crate::one_step_crust::OneStepCrust;
 use crate::sphere_of_influence::SphereOfInfluence;
@@ -73,6 +73,20 @@ pub trait Reconstructor: fmt::Debug + Sync {
                 algorithm: self.info().name,
             })
         }
+    }
+
+    /// The edges of [`reconstruct_open`](Self::reconstruct_open), each with why it is there, and the
+    /// ends with why they stay open; `None` by algorithms whose definition says all there is to say.
+    ///
+    /// # Errors
+    /// Those of [`reconstruct_open`](Self::reconstruct_open).
+    fn explain(
+        &self,
+        points: &PointSet,
+        termini: &[PointId],
+    ) -> Result<Option<Explanation>, ReconstructError> {
+        let _ = (points, termini);
+        Ok(None)
     }
 }
 

@@ -50,6 +50,7 @@ use curvecrust_voronoi::Delaunay;
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
 use crate::error::ReconstructError;
 use crate::hnn_crust::HnnCrust;
+use crate::termini;
 use candidates::Candidates;
 use certificates::Certificates;
 use exchange::{Path, Search, Step};
@@ -82,37 +83,6 @@ pub fn least_detour(points: &PointSet) -> EdgeSet {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LeastDetour;
 
-impl LeastDetour {
-    /// The edges and why each is there, and the open ends and why each stays open.
-    ///
-    /// # Errors
-    /// [`TerminusNotAPoint`](ReconstructError::TerminusNotAPoint) for the first terminus that is not
-    /// in the set.
-    ///
-    /// ```
-    /// use curvecrust_geometry::{DVec2, PointSet};
-    /// use curvecrust_reconstruct::{LeastDetour, Reason};
-    ///
-    /// let row = PointSet::new([0.0, 1.0, 2.0, 9.0].map(|x| DVec2::new(x, 0.0)).to_vec())?;
-    /// let why = LeastDetour.explain(&row, &[])?;
-    /// assert_eq!(why.edges.len(), 2);
-    /// // The edge of length 7 would have cost more than the slots that it fills.
-    /// let end = &why.open[1];
-    /// let rejected = end.rejected.unwrap();
-    /// assert_eq!((end.point, rejected.partner), (2.into(), 3.into()));
-    /// assert!(rejected.cost > 0.0);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn explain(
-        &self,
-        points: &PointSet,
-        termini: &[PointId],
-    ) -> Result<Explanation, ReconstructError> {
-        crate::termini::check(points, termini)?;
-        Ok(Work::done(points, termini, Explanation::new))
-    }
-}
-
 impl Reconstructor for LeastDetour {
     fn info(&self) -> AlgorithmInfo {
         AlgorithmInfo {
@@ -137,8 +107,38 @@ impl Reconstructor for LeastDetour {
         points: &PointSet,
         termini: &[PointId],
     ) -> Result<EdgeSet, ReconstructError> {
-        crate::termini::check(points, termini)?;
+        termini::check(points, termini)?;
         Ok(Work::done(points, termini, |work| work.joins.edges()))
+    }
+
+    /// Always some.
+    ///
+    /// ```
+    /// use curvecrust_geometry::{DVec2, PointSet};
+    /// use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
+    ///
+    /// // A row of five points, and one of three that stops long before the next point.
+    /// let lower = (0..5).map(|x| DVec2::new(f64::from(x), 0.0));
+    /// let upper = [0.0, 1.0, 2.0, 14.0].map(|x| DVec2::new(x, 9.0));
+    /// let points = PointSet::new(lower.chain(upper).collect())?;
+    /// let why = LeastDetour.explain(&points, &[])?.unwrap();
+    /// assert_eq!(why.edges.len(), 6);
+    /// assert_eq!(why.edges[0].reason, Reason::Completed);
+    /// assert_eq!(why.edges[1].reason, Reason::Certified);
+    /// // An edge of length 12 would cost more than the slots that it fills.
+    /// let end = why.open.iter().find(|end| end.point == 7.into()).unwrap();
+    /// let rejected = end.rejected.unwrap();
+    /// assert_eq!(rejected.partner, 8.into());
+    /// assert!(rejected.cost > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn explain(
+        &self,
+        points: &PointSet,
+        termini: &[PointId],
+    ) -> Result<Option<Explanation>, ReconstructError> {
+        termini::check(points, termini)?;
+        Ok(Some(Work::done(points, termini, Explanation::new)))
     }
 }
 

@@ -6,13 +6,15 @@ use crate::args;
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Places};
+use anyhow::ensure;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{Measured, MedialAxis};
-use curvecrust::reconstruct::Reconstruction;
+use curvecrust::reconstruct::{Explanation, Reconstruction};
 use std::path::Path;
 
-/// The algorithm whose violations are marked if none is drawn.
+/// The algorithm whose violations are marked if none is drawn: by a theorem, its leaves show where samples
+/// are too sparse.
 const DEFAULT: &str = "hnn-crust";
 
 pub(crate) fn run(args: &args::Draw, console: &Console) -> anyhow::Result<Outcome> {
@@ -83,6 +85,7 @@ impl Drawn {
 struct Found {
     bare: BarePoints,
     curves: Option<Reconstruction>,
+    why: Option<Explanation>,
 }
 
 impl Found {
@@ -94,20 +97,35 @@ impl Found {
         };
         let bare = BarePoints::read(&source, console)?;
         if args.edges.is_none() && !args.violations {
-            return Ok(Self { bare, curves: None });
+            return Ok(Self {
+                bare,
+                curves: None,
+                why: None,
+            });
         }
         let algorithm = reconstruct::algorithm(args.edges.as_deref().unwrap_or(DEFAULT))?;
-        let curves = console.during("reconstructing", |_| {
-            Reconstruction::by(algorithm, &bare.points)
-        });
-        let curves = Some(curves);
-        Ok(Self { bare, curves })
+        let (edges, why) = console.during("reconstructing", |_| {
+            if args.why {
+                reconstruct::explained(algorithm, &bare.points, &[])
+            } else {
+                Ok((algorithm.reconstruct(&bare.points), None))
+            }
+        })?;
+        ensure!(
+            why.is_some() || !args.why,
+            "{} gives no reasons for its edges: draw without --why",
+            algorithm.info().name
+        );
+        let curves = Some(Reconstruction::new(&bare.points, edges)?);
+        Ok(Self { bare, curves, why })
     }
 
     fn layers(&self, args: &args::Draw) -> Vec<Layer<'_>> {
         let points = &self.bare.points;
         let mut layers = Vec::new();
-        if let Some(curves) = self.curves.as_ref().filter(|_| args.edges.is_some()) {
+        if let Some(why) = &self.why {
+            layers.push(Layer::Why(points, why));
+        } else if let Some(curves) = self.curves.as_ref().filter(|_| args.edges.is_some()) {
             layers.push(Layer::Edges(reconstruct::paths(points, curves)));
         }
         if let Some(curves) = self.curves.as_ref().filter(|_| args.violations) {

@@ -3,6 +3,7 @@
 mod polygons;
 mod result;
 mod summary;
+mod why;
 
 use super::Outcome;
 use super::bare_points::BarePoints;
@@ -11,8 +12,10 @@ use crate::console::Console;
 use crate::format::Format;
 use crate::output::{self, Layer, Output, Picture, npy};
 use anyhow::anyhow;
-use curvecrust::geometry::{EdgeSet, PointId};
-use curvecrust::reconstruct::{ALGORITHMS, Reconstruction, Reconstructor};
+use curvecrust::geometry::{EdgeSet, PointId, PointSet};
+use curvecrust::reconstruct::{
+    ALGORITHMS, Explanation, ReconstructError, Reconstruction, Reconstructor,
+};
 use result::Found;
 pub(crate) use result::paths;
 use summary::Summary;
@@ -34,11 +37,19 @@ pub(crate) fn run(args: &args::Reconstruct, console: &Console) -> anyhow::Result
     let bare = BarePoints::read(&args.points, console)?;
     let termini = args.terminus.iter().map(|&row| bare.point(row));
     let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
-    let edges = console.during("reconstructing", |_| {
-        algorithm.reconstruct_open(&bare.points, &termini)
+    // Objects alone have room for reasons, which take longer to find than the edges.
+    let is_object = output.as_ref().is_some_and(|o| o.format == Format::Json);
+    let (edges, why) = console.during("reconstructing", |_| {
+        if args.json || is_object {
+            explained(algorithm, &bare.points, &termini)
+        } else {
+            Ok((algorithm.reconstruct_open(&bare.points, &termini)?, None))
+        }
     })?;
     let summary = Summary::new(&bare, &edges, &termini);
-    console.during("writing", |_| write(output.as_ref(), args, &bare, edges))?;
+    console.during("writing", |_| {
+        write(output.as_ref(), args, &bare, edges, why)
+    })?;
     console.say(summary);
     Ok(Outcome::Fine)
 }
@@ -50,11 +61,24 @@ pub(crate) fn algorithm(name: &str) -> anyhow::Result<&'static dyn Reconstructor
         .ok_or_else(|| anyhow!("there is no algorithm {name}: see `curvecrust algorithms`"))
 }
 
+/// The edges, with reasons by algorithms that give some.
+pub(crate) fn explained(
+    algorithm: &dyn Reconstructor,
+    points: &PointSet,
+    termini: &[PointId],
+) -> Result<(EdgeSet, Option<Explanation>), ReconstructError> {
+    match algorithm.explain(points, termini)? {
+        Some(why) => Ok((why.edge_set(points.len()), Some(why))),
+        None => Ok((algorithm.reconstruct_open(points, termini)?, None)),
+    }
+}
+
 fn write(
     output: Option<&Output>,
     args: &args::Reconstruct,
     bare: &BarePoints,
     edges: EdgeSet,
+    why: Option<Explanation>,
 ) -> anyhow::Result<()> {
     // Edges alone need not be ordered, for which many points would take much memory.
     if let Some(output) = output.filter(|output| output.format == Format::Npy) {
@@ -71,6 +95,7 @@ fn write(
         algorithm: &args.algorithm,
         bare,
         curves: Reconstruction::new(&bare.points, edges)?,
+        why,
     };
     if let Some(output) = output {
         match output.format {

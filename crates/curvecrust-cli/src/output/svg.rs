@@ -6,12 +6,14 @@
 
 mod frame;
 mod lfs;
+mod why;
 
 use super::{Number, Places};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
-use curvecrust::geometry::Segment;
+use curvecrust::geometry::{PointSet, Segment};
 use curvecrust::medial_axis::Measured;
+use curvecrust::reconstruct::Explanation;
 use frame::Frame;
 use std::fmt;
 use std::io::{self, Write};
@@ -30,6 +32,8 @@ pub(crate) enum Layer<'a> {
     Axis(&'a [Segment]),
     /// Found edges.
     Edges(Vec<Path<'a>>),
+    /// Found edges, told apart by why they are there, and what was rejected at open ends.
+    Why(&'a PointSet, &'a Explanation),
     /// Sample points.
     Points(&'a [DVec2]),
     /// Where the sampling was too sparse.
@@ -81,6 +85,7 @@ impl Layer<'_> {
                     writeln!(out, r#"<path d="{}"/>"#, Data(points.iter(), *closed))?;
                 }
             }
+            Self::Why(points, explanation) => why::write(out, points, explanation, pixel)?,
             Self::Points(points) => {
                 // Many points are small, so that they do not melt into each other.
                 let radius = (720.0 / points.len() as f64).clamp(1.0, 4.0) * pixel;

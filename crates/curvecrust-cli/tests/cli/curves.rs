@@ -77,7 +77,7 @@ fn points_off_the_curve_are_no_samples() {
 fn algorithms_are_evaluated_against_the_curve() {
     let (folder, curve) = sampled("--rho 0.9");
     let found = json(&folder.run(&format!("evaluate {curve} s.csv --json")).fine());
-    assert_eq!(found["results"][0]["algorithm"], "hnn-crust");
+    assert_eq!(found["results"][0]["algorithm"], "least-detour");
     assert_eq!(found["results"][0]["exact"], true);
     assert_eq!(found["true_edges"], found["points"]);
     let line = format!("evaluate {curve} s.csv --algorithm hnn-crust --algorithm gabriel");

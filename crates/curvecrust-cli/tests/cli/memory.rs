@@ -51,7 +51,9 @@ fn every_output_is_written_within_64_bytes_a_point() {
     folder.write("many.npy", circles(count));
     for format in ["csv", "json", "geojson", "wkt", "dxf", "svg"] {
         let of = |name: &str| {
-            let line = format!("reconstruct {name} --to {format} --quiet --threads 2");
+            let line = format!(
+                "reconstruct {name} --algorithm hnn-crust --to {format} --quiet --threads 2"
+            );
             peak(&folder, &line)
         };
         let (least, most) = (of("few.npy"), of("many.npy"));

@@ -54,7 +54,7 @@ fn duplicates_are_refused_or_merged_and_points_keep_their_numbers() {
         refused,
         "error: twice.xy: points 0 and 1 are both (0, 0): remove one, or pass --merge-duplicates"
     );
-    let run = folder.run("reconstruct twice.xy --merge-duplicates --json");
+    let run = folder.run("reconstruct twice.xy --merge-duplicates --algorithm hnn-crust --json");
     assert!(
         run.stderr
             .starts_with("4 points (2 duplicates merged), 4 edges"),
@@ -147,4 +147,56 @@ fn neither_threads_nor_runs_show() {
         };
         assert_eq!(with(1), with(2));
     }
+}
+
+#[test]
+fn every_edge_and_every_open_end_has_its_reason() {
+    let folder = Folder::new();
+    // Two rows, of which the second ends far from the last point.
+    folder.write("rows.xy", "0 0\n1 0\n2 0\n3 0\n4 0\n0 9\n1 9\n2 9\n14 9\n");
+    let found = json(&folder.run("reconstruct rows.xy --json").fine());
+    let edges = found["edges"].as_array().unwrap();
+    let reasons = found["reasons"].as_array().unwrap();
+    assert_eq!(edges.len(), reasons.len());
+    for (edge, why) in edges.iter().zip(reasons) {
+        let is_certified = *edge == json!([1, 2]) || *edge == json!([2, 3]);
+        let reason = if is_certified {
+            "certified"
+        } else {
+            "completed"
+        };
+        assert_eq!(why["reason"], reason, "{edge}");
+        assert_eq!(why["margin"].is_null(), is_certified, "{edge}");
+        assert!(is_certified || why["margin"].as_f64().unwrap() > 0.0);
+    }
+    let ends = found["open_ends"].as_array().unwrap();
+    let of: Vec<_> = ends
+        .iter()
+        .map(|end| end["point"].as_u64().unwrap())
+        .collect();
+    assert_eq!(of, [0, 4, 5, 7, 8]);
+    assert_eq!(
+        (&ends[3]["partner"], &ends[3]["slots"]),
+        (&json!(8), &json!(1))
+    );
+    assert!(ends[3]["cost"].as_f64().unwrap() > 0.0);
+
+    // Algorithms that follow from their definition have no reasons beyond it.
+    let found = json(
+        &folder
+            .run("reconstruct rows.xy --algorithm crust --json")
+            .fine(),
+    );
+    assert!(found.get("reasons").is_none() && found.get("open_ends").is_none());
+    let picture = folder.run("draw --points rows.xy --edges --why").fine();
+    for group in ["certified", "completed", "rejected"] {
+        assert!(picture.contains(&format!("id=\"{group}\"")), "{picture}");
+    }
+    let refused = folder.run("draw --points rows.xy --edges crust --why");
+    assert_eq!(refused.status, Some(2));
+    assert!(
+        refused.stderr.contains("crust gives no reasons"),
+        "{}",
+        refused.stderr
+    );
 }

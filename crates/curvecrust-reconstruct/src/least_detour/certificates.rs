@@ -17,6 +17,10 @@ const STRAIGHT: f64 = 0.65;
 /// by 107 degrees, a detour of 0.81.
 const TRUSTED: f64 = 0.82;
 
+/// A point that is farther from its nearest neighbour than this many times what the points around are
+/// from theirs is taken for an outlier: not all of that distance is to be expected.
+const OUTLIER: f64 = 2.5;
+
 /// What it costs to leave a slot open, in longest edges that are to be expected there.
 const OPEN: f64 = 2.25;
 
@@ -62,8 +66,9 @@ impl<'a> Certificates<'a> {
     /// For every point what it costs to leave one of its slots open.
     ///
     /// That is [`OPEN`] times the length to be expected: the longest distance to a nearest neighbour
-    /// of the point itself and its two closest candidates, or of an edge at the point that may be
-    /// long, since HNN-Crust finds it and the turns at its ends are those of a rho-sample.
+    /// of the two closest candidates and, if it is no outlier, of the point itself; or of an edge at
+    /// the point that may be long, since HNN-Crust finds it and the turns at its ends are those of a
+    /// rho-sample.
     pub(super) fn prices(&self, candidates: &Candidates) -> Vec<f64> {
         let points = self.points.points();
         let distance = |v: u32, w: u32| points[v as usize].distance(points[w as usize]);
@@ -71,10 +76,12 @@ impl<'a> Certificates<'a> {
         let is_trusted =
             |a: DVec2, b: DVec2| detour(DVec2::ZERO, a, b) <= TRUSTED * a.length().min(b.length());
         let expected = |(v, partners): (u32, &[u32; 2])| {
-            let around = candidates.of(v).iter().take(2).map(|&w| to_nearest(w));
+            let closest = candidates.of(v).iter().take(2);
+            let around = closest.map(|&w| to_nearest(w)).fold(0.0, f64::max);
+            let own = to_nearest(v).min(OUTLIER * around);
             let trusted = partners.iter().filter(|&&w| self.go_on([v, w], is_trusted));
             let lengths = trusted.map(|&w| distance(v, w));
-            around.chain(lengths).fold(to_nearest(v), f64::max)
+            lengths.fold(around.max(own), f64::max)
         };
         let all = (0u32..).zip(&self.partners);
         all.map(|at| OPEN * expected(at)).collect()

@@ -1,6 +1,6 @@
 //! Why an edge is there, and why an end stayed open.
 
-use curvecrust_geometry::{Edge, PointId};
+use curvecrust_geometry::{Edge, EdgeSet, PointId};
 
 use super::Work;
 use super::exchange::{Exchange, Search, Step};
@@ -73,6 +73,12 @@ pub struct Rejected {
 }
 
 impl Explanation {
+    /// The edges alone, between as many vertices as there are points.
+    #[must_use]
+    pub fn edge_set(&self, points: usize) -> EdgeSet {
+        EdgeSet::new(points, self.edges.iter().map(|explained| explained.edge))
+    }
+
     pub(super) fn new(mut work: Work<'_>) -> Self {
         let edges = work.joins.edges();
         let edges = edges.edges().iter().map(|&edge| work.explain(edge));

@@ -56,13 +56,15 @@ impl<'a> Definition<'a> {
             nearest.map_or(0.0, |p| self.points[v].distance(self.points[p]))
         };
         let around = self.closest(v).into_iter().take(2).map(to_nearest);
+        let around = around.fold(0.0, f64::max);
+        let own = to_nearest(v).min(2.5 * around);
         let is_trusted = |v: DVec2, p: DVec2, q: DVec2| {
             detour(v, p, q) <= 0.82 * v.distance(p).min(v.distance(q))
         };
         let at_v = partners(&self.hnn, v).into_iter();
         let trusted = at_v.filter(|&w| self.go_on(Edge::new(v, w).unwrap(), is_trusted));
         let lengths = trusted.map(|w| self.points[v].distance(self.points[w]));
-        2.25 * around.chain(lengths).fold(to_nearest(v), f64::max)
+        2.25 * lengths.fold(around.max(own), f64::max)
     }
 
     /// Whether both ends of an edge of HNN-Crust have another, which is `well` with it.

@@ -2,9 +2,10 @@
 
 use super::BarePoints;
 use super::polygons::{Ring, rings};
+use super::why;
 use crate::output::{Feature, Number, Path, Places, Shape, Streamed};
 use curvecrust::geometry::{Chain, PointId, PointSet};
-use curvecrust::reconstruct::{NestedChain, Reconstruction};
+use curvecrust::reconstruct::{Explanation, NestedChain, Reconstruction};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -14,6 +15,8 @@ pub(super) struct Found<'a> {
     pub(super) algorithm: &'a str,
     pub(super) bare: &'a BarePoints,
     pub(super) curves: Reconstruction,
+    /// By algorithms that give reasons.
+    pub(super) why: Option<Explanation>,
 }
 
 /// The rows of some points.
@@ -83,6 +86,10 @@ impl Serialize for Found<'_> {
         object.serialize_entry("isolated", &self.rows(self.curves.isolated()))?;
         object.serialize_entry("junctions", &self.rows(self.curves.junctions()))?;
         object.serialize_entry("duplicates", &Streamed(duplicates))?;
+        if let Some(why) = &self.why {
+            object.serialize_entry("reasons", &Streamed(|| why::reasons(why)))?;
+            object.serialize_entry("open_ends", &Streamed(|| why::open_ends(why, self.bare)))?;
+        }
         object.end()
     }
 }

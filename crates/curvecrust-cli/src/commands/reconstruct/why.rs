@@ -1,0 +1,44 @@
+//! Why edges are there and ends stay open, as objects.
+
+use super::BarePoints;
+use curvecrust::reconstruct::Explanation;
+use serde::Serialize;
+
+/// Why an edge is there.
+#[derive(Serialize)]
+pub(super) struct ReasonObject {
+    reason: &'static str,
+    margin: Option<f64>,
+}
+
+/// Why an end stays open.
+#[derive(Serialize)]
+pub(super) struct OpenEndObject {
+    point: u32,
+    slots: u8,
+    price: f64,
+    partner: Option<u32>,
+    cost: Option<f64>,
+}
+
+/// For every edge, in the order of the edges.
+pub(super) fn reasons(why: &Explanation) -> impl Iterator<Item = ReasonObject> + '_ {
+    why.edges.iter().map(|edge| ReasonObject {
+        reason: edge.reason.name(),
+        margin: edge.margin,
+    })
+}
+
+/// For every open end.
+pub(super) fn open_ends<'a>(
+    why: &'a Explanation,
+    bare: &'a BarePoints,
+) -> impl Iterator<Item = OpenEndObject> + 'a {
+    why.open.iter().map(|end| OpenEndObject {
+        point: bare.row(end.point),
+        slots: end.slots,
+        price: end.price,
+        partner: end.rejected.map(|rejected| bare.row(rejected.partner)),
+        cost: end.rejected.map(|rejected| rejected.cost),
+    })
+}
