@@ -6,6 +6,7 @@
 pub mod comparison;
 pub mod curves;
 pub mod generators;
+pub mod least_detour;
 pub mod machine;
 pub mod peers;
 pub mod random;

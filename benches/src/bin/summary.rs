@@ -16,7 +16,7 @@ use std::path::Path;
 
 use curvecrust_benches::comparison::{Row, markdown};
 use curvecrust_benches::stages::{self, Sizes};
-use curvecrust_benches::{curves, machine};
+use curvecrust_benches::{curves, least_detour, machine};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ type Rows = Result<Vec<Row>, String>;
 type Stage = (&'static str, fn(Sizes, &Pools) -> Rows);
 
 /// In the order of the table; the first two are those of the neighbour kernel.
-const STAGES: [Stage; 7] = [
+const STAGES: [Stage; 8] = [
     ("kiddo", |sizes, pools| {
         on_one(pools, || stages::against_kiddo(sizes))
     }),
@@ -50,6 +50,9 @@ const STAGES: [Stage; 7] = [
     }),
     ("delaunay", |sizes, pools| {
         on_one(pools, || stages::delaunay(sizes))
+    }),
+    ("least-detour", |sizes, pools| {
+        on_one(pools, || least_detour::rows(sizes))
     }),
     ("lfs", |sizes, pools| on_one(pools, || curves::lfs(sizes))),
     ("sampling", |sizes, pools| {

@@ -8,7 +8,7 @@
 //! | [`segment`] | [`Segment`] | closest point and distance |
 //! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
-//! | [`spatial_order`] | [`hilbert_order`] | an order in which neighbours are close |
+//! | [`spatial_order`] | [`hilbert_order`], [`in_hilbert_order`] | an order in which neighbours are close |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
 //!
 //! Points are [`glam::DVec2`].
@@ -31,4 +31,4 @@ pub use predicates::{in_circle, orient2d};
 pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;
-pub use spatial_order::hilbert_order;
+pub use spatial_order::{hilbert_order, in_hilbert_order};

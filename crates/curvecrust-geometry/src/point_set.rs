@@ -129,6 +129,11 @@ pub enum PointSetError {
 }
 
 impl PointSet {
+    /// Points of a set in another order.
+    pub(crate) fn reordered(points: Vec<DVec2>) -> Self {
+        Self { points }
+    }
+
     /// The smallest non-zero magnitude of a coordinate, 2^-142.
     pub const MIN_MAGNITUDE: f64 = f64::from_bits((1023 - 142) << 52);
     /// The largest magnitude of a coordinate, 2^201.

@@ -42,6 +42,24 @@ pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
         .collect()
 }
 
+/// The points along the Hilbert curve as a set of their own, and the id that each has in `points`: what
+/// goes from neighbour to neighbour has them close in memory.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet, in_hilbert_order};
+///
+/// let points = PointSet::new([3.0, 1.0, 2.0].map(|x| DVec2::new(x, 0.0)).to_vec())?;
+/// let (sorted, ids) = in_hilbert_order(&points);
+/// assert!(sorted.ids().zip(ids).all(|(new, old)| sorted[new] == points[old]));
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn in_hilbert_order(points: &PointSet) -> (PointSet, Vec<PointId>) {
+    let ids = hilbert_order(points);
+    let reordered = ids.iter().map(|&id| points[id]).collect();
+    (PointSet::reordered(reordered), ids)
+}
+
 #[expect(clippy::cast_possible_truncation, reason = "the low half is the index")]
 fn index(packed: u64) -> u32 {
     packed as u32

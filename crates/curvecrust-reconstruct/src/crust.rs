@@ -12,7 +12,7 @@
 //! edges of the hull would stay. Cost: that of the Delaunay triangulation, O(n log n), plus a
 //! search around each edge.
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
@@ -27,6 +27,7 @@ use crate::voronoi_vertices::VoronoiVertices;
 /// would have a choice.
 #[must_use]
 pub fn crust(points: &PointSet) -> EdgeSet {
+    let (points, ids) = &in_hilbert_order(points);
     let delaunay = Delaunay::new(points);
     let candidates: Vec<[PointId; 2]> = delaunay
         .edges()
@@ -39,7 +40,10 @@ pub fn crust(points: &PointSet) -> EdgeSet {
     let kept: Vec<_> = candidates
         .par_iter()
         .filter(|&&ends| vertices.spare_a_disc_through(ends))
-        .filter_map(|&[p, q]| Edge::new(p, q))
+        .filter_map(|&ends| {
+            let [p, q] = ends.map(|v| ids[v.index()]);
+            Edge::new(p, q)
+        })
         .collect();
     EdgeSet::new(points.len(), kept)
 }

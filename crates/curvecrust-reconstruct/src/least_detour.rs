@@ -44,7 +44,7 @@ mod joins;
 use std::collections::VecDeque;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{EdgeSet, PointId, PointSet};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
@@ -98,7 +98,7 @@ impl Reconstructor for LeastDetour {
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {
-        Work::done(points, &[], |work| work.joins.edges())
+        Work::done(points, &[], |work| work.edges())
     }
 
     /// A terminus has one slot.
@@ -108,7 +108,7 @@ impl Reconstructor for LeastDetour {
         termini: &[PointId],
     ) -> Result<EdgeSet, ReconstructError> {
         termini::check(points, termini)?;
-        Ok(Work::done(points, termini, |work| work.joins.edges()))
+        Ok(Work::done(points, termini, |work| work.edges()))
     }
 
     /// Always some.
@@ -142,9 +142,11 @@ impl Reconstructor for LeastDetour {
     }
 }
 
-/// What the steps work on.
+/// What the steps work on: the points in Hilbert order.
 struct Work<'a> {
     points: &'a PointSet,
+    /// What they are called by the caller.
+    ids: &'a [PointId],
     candidates: Candidates,
     joins: Joins<'a>,
     /// The edges that step 2 added.
@@ -154,13 +156,16 @@ struct Work<'a> {
 impl Work<'_> {
     /// All steps, and what becomes of their result.
     fn done<R>(points: &PointSet, termini: &[PointId], result: impl FnOnce(Work<'_>) -> R) -> R {
-        let mut is_terminus = vec![false; points.len()];
+        let mut is_named = vec![false; points.len()];
         for id in termini {
-            is_terminus[id.index()] = true;
+            is_named[id.index()] = true;
         }
+        let (points, ids) = &in_hilbert_order(points);
+        let is_terminus: Vec<bool> = ids.iter().map(|id| is_named[id.index()]).collect();
+        let termini: Vec<PointId> = points.ids().filter(|v| is_terminus[v.index()]).collect();
         let delaunay = Delaunay::new(points);
         let candidates = Candidates::new(points, &delaunay);
-        let hnn = HnnCrust::MUTUAL.with_termini(points, termini);
+        let hnn = HnnCrust::MUTUAL.with_termini(points, &termini);
         let certificates = Certificates::new(points, &hnn, &is_terminus);
         let prices = certificates.prices(&candidates);
         let mut joins = Joins::new(points.points(), prices, is_terminus.clone());
@@ -169,6 +174,7 @@ impl Work<'_> {
         }
         let mut work = Work {
             points,
+            ids,
             candidates,
             joins,
             completed: EdgeSet::default(),
@@ -176,6 +182,19 @@ impl Work<'_> {
         work.complete();
         work.exchange();
         result(work)
+    }
+
+    /// The edges as the caller knows them.
+    fn edges(&self) -> EdgeSet {
+        let edges = self.joins.edges();
+        let edges = edges.edges().iter().filter_map(|&edge| self.named(edge));
+        EdgeSet::new(self.points.len(), edges)
+    }
+
+    /// The edge between the same points by the names that the caller has for them.
+    fn named(&self, edge: Edge) -> Option<Edge> {
+        let [a, b] = edge.ends().map(|v| self.ids[v.index()]);
+        Edge::new(a, b)
     }
 
     /// Adds edges between open slots, the shortest first.

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use curvecrust_geometry::PointSet;
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
 use crate::sight::has_length;
@@ -23,23 +23,22 @@ impl Candidates {
     /// The Delaunay edges whose dual is longer than a point: they are the same for every
     /// triangulation of cocircular points.
     pub(super) fn new(points: &PointSet, delaunay: &Delaunay) -> Self {
-        let wanted = || delaunay.edges().filter(|dual| has_length(points, dual));
-        let both_ways = |dual: DualEdge| {
-            let [a, b] = dual.ends;
-            [(a, b), (b, a)]
-        };
+        let wanted = delaunay.edges().filter(|dual| has_length(points, dual));
+        let edges: Vec<[u32; 2]> = wanted.map(|dual| dual.ends.map(u32::from)).collect();
+        let both_ways = || edges.iter().flat_map(|&[a, b]| [(a, b), (b, a)]);
         let mut first = vec![0; points.len() + 1];
-        for (from, _) in wanted().flat_map(both_ways) {
-            first[from.index() + 1] += 1;
+        for (from, _) in both_ways() {
+            first[from as usize + 1] += 1;
         }
         for v in 1..first.len() {
             first[v] += first[v - 1];
         }
         let mut free = first.clone();
-        let mut targets = vec![0; first[points.len()]];
-        for (from, to) in wanted().flat_map(both_ways) {
-            targets[free[from.index()]] = u32::from(to);
-            free[from.index()] += 1;
+        let mut targets = vec![0; 2 * edges.len()];
+        for (from, to) in both_ways() {
+            let slot = &mut free[from as usize];
+            targets[*slot] = to;
+            *slot += 1;
         }
         let mut candidates = Self { first, targets };
         candidates.sort(points);

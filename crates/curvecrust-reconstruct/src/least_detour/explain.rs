@@ -81,23 +81,26 @@ impl Explanation {
 
     pub(super) fn new(mut work: Work<'_>) -> Self {
         let edges = work.joins.edges();
-        let edges = edges.edges().iter().map(|&edge| work.explain(edge));
-        let edges = edges.collect();
+        let edges = edges.edges().iter();
+        let mut edges: Vec<ExplainedEdge> = edges.filter_map(|&edge| work.explain(edge)).collect();
+        edges.sort_unstable_by_key(|explained| explained.edge);
         let open = work.points.ids().filter_map(|point| work.why_open(point));
-        let open = open.collect();
+        let mut open: Vec<OpenEnd> = open.collect();
+        open.sort_unstable_by_key(|end| end.point);
         Self { edges, open }
     }
 }
 
 impl Work<'_> {
-    fn explain(&mut self, edge: Edge) -> ExplainedEdge {
+    fn explain(&mut self, edge: Edge) -> Option<ExplainedEdge> {
         let [v, w] = edge.ends().map(u32::from);
+        let named = self.named(edge)?;
         if self.joins.is_certified(v, w) {
-            return ExplainedEdge {
-                edge,
+            return Some(ExplainedEdge {
+                edge: named,
                 reason: Reason::Certified,
                 margin: None,
-            };
+            });
         }
         let reason = if self.completed.contains(edge) {
             Reason::Completed
@@ -110,16 +113,16 @@ impl Work<'_> {
             search.without(v, w).best().map(|found| found.cost)
         };
         let margins = [without(v, w), without(w, v)];
-        ExplainedEdge {
-            edge,
+        Some(ExplainedEdge {
+            edge: named,
             reason,
             // The search for improvements leaves some paths aside that this one follows.
             margin: margins
                 .into_iter()
                 .flatten()
                 .reduce(f64::min)
-                .map(|m| m.max(0.0)),
-        }
+                .map(|margin| margin.max(0.0)),
+        })
     }
 
     fn why_open(&mut self, point: PointId) -> Option<OpenEnd> {
@@ -128,29 +131,27 @@ impl Work<'_> {
             .ok()
             .filter(|&n| n > 0)?;
         let search = Search::below(f64::INFINITY, &mut self.joins, &self.candidates);
-        let rejected = search
-            .filling(v)
-            .best()
-            .and_then(|found| partner(v, &found));
+        let found = search.filling(v).best();
+        let rejected = found.and_then(|found| self.rejected(v, &found));
         Some(OpenEnd {
-            point,
+            point: self.ids[point.index()],
             slots,
             price: self.joins.price(v),
             rejected,
         })
     }
-}
 
-/// Whom the exchange joins the point to, first.
-fn partner(v: u32, exchange: &Exchange) -> Option<Rejected> {
-    let joined = |step: &Step| match *step {
-        Step::Join(a, b) if a == v => Some(b),
-        Step::Join(a, b) if b == v => Some(a),
-        _ => None,
-    };
-    let partner = exchange.path.steps().iter().find_map(joined)?;
-    Some(Rejected {
-        partner: partner.into(),
-        cost: exchange.cost.max(0.0),
-    })
+    /// Whom the exchange joins the point to, first.
+    fn rejected(&self, v: u32, exchange: &Exchange) -> Option<Rejected> {
+        let joined = |step: &Step| match *step {
+            Step::Join(a, b) if a == v => Some(b),
+            Step::Join(a, b) if b == v => Some(a),
+            _ => None,
+        };
+        let partner = exchange.path.steps().iter().find_map(joined)?;
+        Some(Rejected {
+            partner: self.ids[partner as usize],
+            cost: exchange.cost.max(0.0),
+        })
+    }
 }
