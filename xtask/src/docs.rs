@@ -1,6 +1,7 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
 use crate::compare::published;
+use crate::method;
 use crate::reproduce_paper::figures::{self, PointSets};
 use crate::reproduce_paper::models;
 use crate::root::root;
@@ -18,8 +19,9 @@ pub(crate) struct Args {
 /// Writes or checks every generated file.
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut stale = false;
-    let images = images()?.map(|(name, text)| (name.to_owned(), text));
-    for (name, text) in images.into_iter().chain(published::made()?) {
+    let images = images()?.into_iter();
+    let images = images.map(|(name, text)| (name.to_owned(), text));
+    for (name, text) in images.chain(published::made()?) {
         let path = root().join(&name);
         if !args.check {
             write_whole(&path, &text)?;
@@ -32,11 +34,11 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     Ok(ExitCode::from(u8::from(stale)))
 }
 
-/// Figures of the paper on our own curves and points, for the README.
-fn images() -> anyhow::Result<[(&'static str, String); 3]> {
+/// Figures of the paper on our own curves and points, for the README, and those of `docs/method.md`.
+fn images() -> anyhow::Result<Vec<(&'static str, String)>> {
     let models = models::redrawn()?;
     let points = PointSets::redrawn()?;
-    Ok([
+    Ok(vec![
         (
             "docs/images/teaser.svg",
             figures::figure_1(&models)?.figure.to_svg(),
@@ -45,6 +47,18 @@ fn images() -> anyhow::Result<[(&'static str, String); 3]> {
         (
             "docs/images/sharp-angles.svg",
             figures::figure_3(&points).figure.to_svg(),
+        ),
+        (
+            "docs/images/near-strands.svg",
+            method::near_strands()?.to_svg(),
+        ),
+        (
+            "docs/images/sharp-corner.svg",
+            method::sharp_corner()?.to_svg(),
+        ),
+        (
+            "docs/images/facing-ends.svg",
+            method::facing_ends()?.to_svg(),
         ),
     ])
 }

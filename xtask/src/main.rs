@@ -11,6 +11,7 @@ mod ci;
 mod compare;
 mod docs;
 mod fetch_paper_data;
+mod method;
 mod png;
 mod reproduce_paper;
 mod root;

@@ -15,7 +15,7 @@ use curvecrust::geometry::{EdgeSet, PointSet, Segment};
 use curvecrust::report::{Exhibit, PaperReport, html};
 use std::path::Path;
 
-pub(crate) use bare::{PointSets, figure_3};
+pub(crate) use bare::{PointSets, figure_3, marked};
 pub(crate) use sampled::{bunny, figure_1};
 
 /// Every figure, in the paper's order.

@@ -172,7 +172,8 @@ fn bare(points: &PointSet) -> Panel {
     }
 }
 
-fn marked(algorithm: &str, points: &PointSet, found: &EdgeSet) -> Panel {
+/// What an algorithm found, with marks where it is not closed.
+pub(crate) fn marked(algorithm: &str, points: &PointSet, found: &EdgeSet) -> Panel {
     let (leaves, isolated, junctions) = (found.leaves(), found.isolated(), found.junctions());
     let at = |ids: &[PointId]| ids.iter().map(|&id| points[id]).collect::<Vec<_>>();
     let caption = format!(

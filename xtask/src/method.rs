@@ -1,0 +1,110 @@
+//! The figures of `docs/method.md`: where least detour goes on after local rules, and where it fails.
+
+use crate::reproduce_paper::figures::marked;
+use curvecrust::DVec2;
+use curvecrust::geometry::{PointId, PointSet};
+use curvecrust::reconstruct::{
+    LeastDetour, Reconstructor, hnn_crust, least_detour, one_step_crust,
+};
+use curvecrust::report::Figure;
+use std::f64::consts::{PI, TAU};
+
+/// So many samples of an arc, the first at its beginning and the last one step before its end.
+fn arc(centre: DVec2, radius: f64, from: f64, to: f64, count: u32) -> impl Iterator<Item = DVec2> {
+    let at = move |i| from + (to - from) * f64::from(i) / f64::from(count);
+    (0..count).map(move |i| centre + radius * DVec2::from_angle(at(i)))
+}
+
+/// Two circles at a gap of 0.8 spacings.
+pub(crate) fn near_strands() -> anyhow::Result<Figure> {
+    let circle = |count: u32, phase: f64| {
+        let radius = f64::from(count) / TAU;
+        arc(DVec2::ZERO, radius, phase, phase + TAU, count)
+    };
+    // Five samples more make a radius that is 0.8 larger.
+    let points = PointSet::new(circle(25, 0.0).chain(circle(30, 0.1)).collect())?;
+    Ok(Figure {
+        title: "Two circles that are nearer to each other than their samples are".to_owned(),
+        columns: 2,
+        panels: vec![
+            marked("HNN-Crust", &points, &hnn_crust(&points)),
+            marked("Least detour", &points, &least_detour(&points)),
+        ],
+    })
+}
+
+/// Two legs that meet at 30 degrees, closed by an arc.
+pub(crate) fn sharp_corner() -> anyhow::Result<Figure> {
+    let half = PI / 12.0;
+    let (leg, radius) = (10.0, 10.0 * half.tan());
+    let along = |angle: f64| (1..10).map(move |i| f64::from(i) * DVec2::from_angle(angle));
+    let centre = DVec2::new(leg / half.cos(), 0.0);
+    let touch = PI / 2.0 + half;
+    let points = [DVec2::ZERO]
+        .into_iter()
+        .chain(along(half))
+        .chain(along(-half))
+        .chain(arc(centre, radius, touch, -touch, 10))
+        .chain([centre + radius * DVec2::from_angle(-touch)]);
+    let points = PointSet::new(points.collect())?;
+    Ok(Figure {
+        title: "A corner of 30 degrees".to_owned(),
+        columns: 2,
+        panels: vec![
+            marked("One-step crust", &points, &one_step_crust(&points).crust),
+            marked("Least detour", &points, &least_detour(&points)),
+        ],
+    })
+}
+
+/// Half circles whose ends are about two spacings apart: a failure, and what mends it.
+pub(crate) fn facing_ends() -> anyhow::Result<Figure> {
+    let centres = [
+        (0.0, 0.0),
+        (8.0, 0.7),
+        (-4.0, -5.0),
+        (4.0, -5.7),
+        (12.0, -5.0),
+    ];
+    let mut points: Vec<DVec2> = Vec::new();
+    let mut termini = Vec::new();
+    for (x, y) in centres {
+        let centre = DVec2::new(x, -y);
+        termini.extend(PointId::new(points.len()));
+        points.extend(arc(centre, 3.0, 0.0, -PI, 9));
+        termini.extend(PointId::new(points.len()));
+        points.push(centre - DVec2::new(3.0, 0.0));
+    }
+    let points = PointSet::new(points)?;
+    let told = LeastDetour.reconstruct_open(&points, &termini)?;
+    Ok(Figure {
+        title: "Ends that face each other, about two spacings apart".to_owned(),
+        columns: 2,
+        panels: vec![
+            marked("Least detour", &points, &least_detour(&points)),
+            marked("The same, told the ends", &points, &told),
+        ],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the captions of the page say.
+    #[test]
+    fn the_figures_show_what_is_said_of_them() {
+        let captions = |figure: Figure| {
+            let panels = figure.panels.into_iter();
+            panels.map(|panel| panel.caption).collect::<Vec<_>>()
+        };
+        let closed = "leaves 0, isolated 0, junctions 0";
+        for figure in [near_strands().unwrap(), sharp_corner().unwrap()] {
+            let captions = captions(figure);
+            assert!(captions[1].contains(closed), "{captions:?}");
+        }
+        let captions = captions(facing_ends().unwrap());
+        assert!(captions[0].contains("leaves 4,"), "{captions:?}");
+        assert!(captions[1].contains("leaves 10,"), "{captions:?}");
+    }
+}
