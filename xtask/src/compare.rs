@@ -17,7 +17,7 @@ pub(crate) mod published;
 mod random;
 mod run;
 mod scale;
-mod scene;
+pub(crate) mod scene;
 mod shortest_tour;
 #[cfg(test)]
 mod tests;

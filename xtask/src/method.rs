@@ -1,5 +1,6 @@
 //! The figures of `docs/method.md`: where least detour goes on after local rules, and where it fails.
 
+use crate::compare::scene::{TILES, arc};
 use crate::reproduce_paper::figures::marked;
 use curvecrust::DVec2;
 use curvecrust::geometry::{PointId, PointSet};
@@ -9,12 +10,6 @@ use curvecrust::reconstruct::{
 use curvecrust::report::Figure;
 use std::f64::consts::{PI, TAU};
 
-/// So many samples of an arc, the first at its beginning and the last one step before its end.
-fn arc(centre: DVec2, radius: f64, from: f64, to: f64, count: u32) -> impl Iterator<Item = DVec2> {
-    let at = move |i| from + (to - from) * f64::from(i) / f64::from(count);
-    (0..count).map(move |i| centre + radius * DVec2::from_angle(at(i)))
-}
-
 /// Two circles at a gap of 0.8 spacings.
 pub(crate) fn near_strands() -> anyhow::Result<Figure> {
     let circle = |count: u32, phase: f64| {
@@ -22,7 +17,7 @@ pub(crate) fn near_strands() -> anyhow::Result<Figure> {
         arc(DVec2::ZERO, radius, phase, phase + TAU, count)
     };
     // Five samples more make a radius that is 0.8 larger.
-    let points = PointSet::new(circle(25, 0.0).chain(circle(30, 0.1)).collect())?;
+    let points = PointSet::new([circle(25, 0.0), circle(30, 0.1)].concat())?;
     Ok(Figure {
         title: "Two circles that are nearer to each other than their samples are".to_owned(),
         columns: 2,
@@ -59,16 +54,9 @@ pub(crate) fn sharp_corner() -> anyhow::Result<Figure> {
 
 /// Half circles whose ends are about two spacings apart: a failure, and what mends it.
 pub(crate) fn facing_ends() -> anyhow::Result<Figure> {
-    let centres = [
-        (0.0, 0.0),
-        (8.0, 0.7),
-        (-4.0, -5.0),
-        (4.0, -5.7),
-        (12.0, -5.0),
-    ];
     let mut points: Vec<DVec2> = Vec::new();
     let mut termini = Vec::new();
-    for (x, y) in centres {
+    for (x, y) in TILES {
         let centre = DVec2::new(x, -y);
         termini.extend(PointId::new(points.len()));
         points.extend(arc(centre, 3.0, 0.0, -PI, 9));

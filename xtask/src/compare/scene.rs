@@ -162,16 +162,18 @@ impl Scene {
             points.push(centre - DVec2::new(3.0, 0.0));
             (points, false)
         };
-        let centres = [
-            (0.0, 0.0),
-            (8.0, 0.7),
-            (-4.0, -5.0),
-            (4.0, -5.7),
-            (12.0, -5.0),
-        ];
-        Self::polygonal(centres.map(tile).to_vec())
+        Self::polygonal(TILES.map(tile).to_vec())
     }
 }
+
+/// The centres of the half circles of [`Scene::arcs`].
+pub(crate) const TILES: [(f64, f64); 5] = [
+    (0.0, 0.0),
+    (8.0, 0.7),
+    (-4.0, -5.0),
+    (4.0, -5.7),
+    (12.0, -5.0),
+];
 
 /// The curve of a drawing, whose name is given without its ending.
 fn drawn(path: &Path) -> anyhow::Result<Curve> {
@@ -201,7 +203,7 @@ fn straight(a: DVec2, b: DVec2, step: f64) -> impl Iterator<Item = DVec2> {
 }
 
 /// Points of an arc, without its end.
-fn arc(centre: DVec2, radius: f64, from: f64, to: f64, steps: u32) -> Vec<DVec2> {
+pub(crate) fn arc(centre: DVec2, radius: f64, from: f64, to: f64, steps: u32) -> Vec<DVec2> {
     let at = |i| from + (to - from) * f64::from(i) / f64::from(steps);
     (0..steps)
         .map(|i| centre + radius * DVec2::from_angle(at(i)))

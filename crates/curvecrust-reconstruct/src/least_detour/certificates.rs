@@ -4,7 +4,7 @@ use curvecrust_geometry::{DVec2, EdgeSet, PointSet};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use super::candidates::Candidates;
-use super::joins::{NONE, detour};
+use super::joins::{NONE, detour, put};
 use crate::one_step_crust::is_crust_edge;
 
 /// The least cosine of the turn between certain edges: a turn of 49.5 degrees. Consecutive edges of
@@ -35,11 +35,8 @@ impl<'a> Certificates<'a> {
     pub(super) fn new(points: &'a PointSet, hnn: &EdgeSet, is_terminus: &'a [bool]) -> Self {
         let mut partners = vec![[NONE; 2]; points.len()];
         for edge in hnn.edges() {
-            for (from, to) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
-                if let Some(slot) = partners[from.index()].iter_mut().find(|p| **p == NONE) {
-                    *slot = u32::from(to);
-                }
-            }
+            let [v, w] = edge.ends().map(u32::from);
+            put(&mut partners, v, w);
         }
         Self {
             points,

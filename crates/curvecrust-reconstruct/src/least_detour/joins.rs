@@ -116,7 +116,7 @@ impl<'a> Joins<'a> {
 }
 
 /// Uses a slot of both ends.
-fn put(slots: &mut [[u32; 2]], v: u32, w: u32) {
+pub(super) fn put(slots: &mut [[u32; 2]], v: u32, w: u32) {
     for (from, to) in [(v, w), (w, v)] {
         if let Some(slot) = slots[from as usize].iter_mut().find(|p| **p == NONE) {
             *slot = to;
