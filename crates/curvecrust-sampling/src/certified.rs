@@ -4,7 +4,9 @@
 //! condition holds, on the whole arc between dense points too. How that is known is told in `gaps.rs`:
 //! lfs is 1-Lipschitz, and the length of an arc is bounded by its chord and lfs. The closing interval
 //! of a closed component and the last one of an open component hold like all others. What remains is the error
-//! of lfs as it was measured: at adaptive gaps of 0.02, below 0.5 % on every curve of the fixtures.
+//! of lfs as it was measured. At adaptive gaps of 0.02 it is below 0.5 % on every curve of the fixtures, and less than
+//! what the bound between dense points leaves: by lfs measured anew at gaps ten times finer, every sampling of them
+//! holds, too.
 //!
 //! Cost: O(n) for n dense points.
 

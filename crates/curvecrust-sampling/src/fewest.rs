@@ -189,3 +189,42 @@ fn best_start(jumps: &[usize]) -> usize {
     let one_more = then(&some, jumps);
     one_more.iter().position(|&j| j >= round).unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use super::*;
+    use curvecrust_curve::Curve;
+    use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+
+    #[test]
+    fn no_start_needs_fewer() {
+        let mut differ = 0;
+        for d in [
+            "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z",
+            "M 0 0 C 20 20 40 -20 60 0 S 90 30 60 40 S 20 30 0 40 S -20 -20 0 0 Z",
+        ] {
+            let curve = Curve::from_path_data(d).unwrap();
+            let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.05 };
+            let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
+            let gaps = &Gaps::of(&measured)[0];
+            for b in [0.9, 0.7, 0.5, 0.4, 0.3, 0.25] {
+                let limit = 0.002 * curve.extent();
+                for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
+                    for condition in [condition, condition.with_hausdorff_limit(limit).unwrap()] {
+                        let from = |start| walk(gaps, condition, start).unwrap().len();
+                        let counts = (0..gaps.len()).map(from);
+                        let (least, most) = counts.fold((usize::MAX, 0), |(least, most), n| {
+                            (least.min(n), most.max(n))
+                        });
+                        let found = positions(gaps, condition, &|_| ()).unwrap();
+                        assert_eq!(found.len(), least, "{condition:?}");
+                        differ += usize::from(least < most);
+                    }
+                }
+            }
+        }
+        assert!(differ > 10, "{differ}");
+    }
+}

@@ -7,6 +7,11 @@
 //! one itself, and so does [`sample_as_published`], so that counts can be compared. A closed curve
 //! starts at its first dense point; its closing interval, back to the start, adds no sample.
 //!
+//! Between dense points whose gaps are at most g times the lfs of their ends, a rho that holds goes on to hold: the
+//! authors let a dense point stand for the curve up to its neighbours. An epsilon may be exceeded, by less than
+//! (1 + epsilon) g / (2 - g): half-way between two dense points, both of which just hold, the sample is farther by
+//! half of the gap, and lfs smaller by as much. [`sample`](crate::sample()) has no such excess.
+//!
 //! Cost: near-linear. An interval that holds with some slack holds until its end has moved by as
 //! much, so only a few of the candidate ends are looked at.
 
@@ -21,7 +26,7 @@ use crate::sampled_curve::{ClosingInterval, SampledCurve};
 ///
 /// Both ends of an open component are samples. The condition holds at every dense point inside every
 /// interval, but for the [closing interval](SampledCurve::closing_intervals) of closed components,
-/// which is tested and reported.
+/// which is tested and reported. [This module](self) says what that means between them.
 #[must_use]
 pub fn sample_greedy(measured: &Measured, condition: Condition) -> SampledCurve {
     sample(measured, condition, Next::LastHolding)

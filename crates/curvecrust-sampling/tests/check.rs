@@ -11,8 +11,8 @@ use curvecrust_curve::{Curve, DenseCurve};
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust_sampling::{
-    Condition, PlacedSamples, Placement, SamplingError, check, effective_epsilon, effective_rho,
-    sample, sample_greedy,
+    Bound, ClosingInterval, Condition, PlacedSamples, Placement, SampledCurve, SamplingError,
+    check, effective_epsilon, effective_rho, sample, sample_greedy,
 };
 
 fn measured(dense: DenseCurve) -> Measured {
@@ -75,13 +75,46 @@ fn stadiums_have_closed_forms() {
     }
 }
 
+/// The largest epsilon or rho of the intervals between samples, by definition, at dense points and of those that are
+/// to hold: all but closing intervals that are reported not to.
+fn at_dense_points(measured: &Measured, sampled: &SampledCurve, bound: Bound) -> f64 {
+    let (points, lfs) = (measured.dense().points(), measured.lfs());
+    let mut worst = 0.0f64;
+    for (index, component) in sampled.components().iter().enumerate() {
+        let samples = &sampled.dense_indices()[component.range.clone()];
+        let mut closing = sampled.closing_intervals().iter();
+        let closes = closing.any(|c| c.component == index && c.holds);
+        let next = samples
+            .iter()
+            .skip(1)
+            .chain(&samples[..usize::from(closes)]);
+        for (&from, &to) in samples.iter().zip(next) {
+            let mut inside = vec![from];
+            while inside.last() != Some(&to) {
+                inside.push(measured.dense().next(inside[inside.len() - 1]).unwrap());
+            }
+            let reach = inside
+                .iter()
+                .map(|&i| lfs.at(i))
+                .fold(f64::INFINITY, f64::min);
+            for i in inside {
+                let [a, b] = [from, to].map(|s| points[s].distance(points[i]));
+                let unit = match bound {
+                    Bound::Epsilon(_) => lfs.at(i),
+                    Bound::Rho(_) => reach,
+                };
+                worst = worst.max(a.min(b) / unit);
+            }
+        }
+    }
+    worst
+}
+
 #[test]
 fn samplers_attain_their_bounds() {
+    const GAP: f64 = 0.02;
     for (name, curve) in fixtures() {
-        if name == "nautilus" {
-            continue;
-        }
-        let discretisation = Discretisation::Adaptive { gap_to_lfs: 0.02 };
+        let discretisation = Discretisation::Adaptive { gap_to_lfs: GAP };
         let measured = measure(&curve, discretisation, Estimator::Voronoi).unwrap();
         for b in [0.9, 0.47] {
             for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
@@ -93,16 +126,33 @@ fn samplers_attain_their_bounds() {
                     "{name} {condition:?} {attained}"
                 );
 
-                // The other one is certain at dense points only.
+                // The other one is certain at dense points.
                 let greedy = sample_greedy(&measured, condition);
-                let placed = PlacedSamples::of(&measured, &greedy).unwrap();
-                let verdict = check(&measured, &placed, condition);
-                let attained = verdict.worst.unwrap().bound;
+                let attained = at_dense_points(&measured, &greedy, condition.bound());
                 assert!(
-                    0.9 * b < attained && attained < b + 0.02,
+                    0.9 * b < attained && attained < b,
                     "{name} {condition:?} {attained}"
                 );
-                assert_eq!(verdict.holds(), attained < b);
+                // What it says of the points between.
+                let between = match condition.bound() {
+                    Bound::Epsilon(_) => b + (1.0 + b) * GAP / (2.0 - GAP),
+                    Bound::Rho(_) => b,
+                };
+                let placed = PlacedSamples::of(&measured, &greedy).unwrap();
+                let verdict = check(&measured, &placed, condition);
+                let closing = greedy.closing_intervals();
+                for found in &verdict.violations {
+                    let [before, after] = found.interval.samples;
+                    let fails = |c: &ClosingInterval| {
+                        c.component == found.interval.component && !c.holds && after < before
+                    };
+                    assert!(
+                        found.bound < between || closing.iter().any(fails),
+                        "{name} {condition:?} {found:?}"
+                    );
+                }
+                let attained = verdict.worst.unwrap().bound;
+                assert!(0.9 * b < attained && verdict.holds() == (attained < b));
             }
         }
     }

@@ -104,9 +104,6 @@ fn no_sampling_at_the_same_points_has_fewer() {
 fn never_more_than_from_the_first_point() {
     let mut saved = 0;
     for (name, curve) in fixtures() {
-        if ["nautilus", "eclipse", "spiral"].contains(&name.as_str()) {
-            continue;
-        }
         let measured = measured(&curve, 0.05).unwrap();
         let rho = Condition::rho(0.9).unwrap();
         let limited = rho.with_hausdorff_limit(0.004 * curve.extent()).unwrap();
