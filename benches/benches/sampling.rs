@@ -35,7 +35,7 @@ fn pipeline(c: &mut Criterion) {
     c.bench_function("drawing of 43 segments to samples", |b| {
         b.iter(|| {
             let curve = Curve::from_svg(CAT).expect("a smooth drawing");
-            sample_curve(&curve, rho).expect("it can be sampled")
+            sample_curve(&curve, rho, &|_, _| {}).expect("it can be sampled")
         });
     });
 }

@@ -133,7 +133,7 @@ fn pipeline(rounds: usize) -> Result<Row, Box<dyn Error>> {
     let rho = Condition::rho(0.9)?;
     let run = || -> Result<usize, Box<dyn Error>> {
         let curve = Curve::from_svg(CAT)?;
-        Ok(sample_curve(&curve, rho)?.1.samples.len())
+        Ok(sample_curve(&curve, rho, &|_, _| {})?.1.samples.len())
     };
     let count = run()?;
     let times = medians(vec![Task::new("pipeline", run)], rounds);

@@ -20,7 +20,7 @@ fuzz_target!(|input: (Chains, u8, bool)| {
     };
     for estimator in [Estimator::Voronoi, Estimator::ShrinkingBall] {
         let discretisation = Discretisation::PerSegment(1 + u32::from(bound) % 40);
-        if let Ok(measured) = measure(&curve, discretisation, estimator) {
+        if let Ok(measured) = measure(&curve, discretisation, estimator, &|_, _| {}) {
             judged(&curve, &measured, bound, with_limit);
         }
     }
@@ -30,11 +30,11 @@ fuzz_target!(|input: (Chains, u8, bool)| {
     }
     // Curves that nearly touch have millions of dense points.
     let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.5 };
-    if let Ok(coarse) = measure(&curve, adaptive, Estimator::Voronoi)
+    if let Ok(coarse) = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {})
         && coarse.dense().len() < 3000
     {
         if bound >= 64 {
-            let _ = sample_curve(&curve, condition(&curve, bound, with_limit));
+            let _ = sample_curve(&curve, condition(&curve, bound, with_limit), &|_, _| {});
         }
         judged(&curve, &coarse, bound, with_limit);
     }

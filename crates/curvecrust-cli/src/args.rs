@@ -245,7 +245,7 @@ pub(crate) struct Curve {
     pub(crate) path: PathBuf,
     /// Largest gap between the dense points that stand for the curve, as a share of the local feature size
     /// [default: 0.02, or finer where a condition asks for it]
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = share)]
     pub(crate) gap: Option<f64>,
     /// So many dense points on each cubic segment instead; 300 in the paper
     #[arg(long, value_name = "N", conflicts_with = "gap")]
@@ -256,14 +256,19 @@ pub(crate) struct Curve {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Condition {
     /// Every interval between samples within RHO times its reach; HNN-Crust is proven for 0.9
-    #[arg(long, value_name = "RHO")]
+    #[arg(long, value_name = "RHO", allow_negative_numbers = true)]
     pub(crate) rho: Option<f64>,
     /// Every point within EPSILON times its local feature size; HNN-Crust is proven for 0.47
-    #[arg(long, value_name = "EPSILON")]
+    #[arg(long, value_name = "EPSILON", allow_negative_numbers = true)]
     pub(crate) epsilon: Option<f64>,
     /// No curve point farther than this from the line through its two samples: a length, or a share of the
     /// curve's extent such as 1%
-    #[arg(long, value_name = "LENGTH", requires = "bound")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        requires = "bound",
+        allow_negative_numbers = true
+    )]
     pub(crate) max_distance: Option<Distance>,
 }
 
@@ -271,7 +276,12 @@ pub(crate) struct Condition {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Tolerance {
     /// Points farther from the curve than this are an error: a length, or a share of the curve's extent
-    #[arg(long, value_name = "LENGTH", default_value = "0.1%")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        default_value = "0.1%",
+        allow_negative_numbers = true
+    )]
     pub(crate) tolerance: Distance,
 }
 
@@ -358,6 +368,16 @@ impl FromStr for Distance {
                 "give a length above 0, such as 2.5, or a share, such as 1%",
             )),
         }
+    }
+}
+
+/// A share of the local feature size.
+fn share(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(share) if share > 0.0 && share <= 1.0 => Ok(share),
+        _ => Err(String::from(
+            "give a share above 0 and at most 1, such as 0.02",
+        )),
     }
 }
 

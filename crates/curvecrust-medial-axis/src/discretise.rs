@@ -98,7 +98,8 @@ pub(crate) const TOUCHING: f64 = 1e-7;
 /// lie on each other would be refined without end.
 const OVERLAP_ROUNDS: usize = 6;
 
-/// Discretises a curve and estimates its lfs.
+/// Discretises a curve and estimates its lfs. `progress` is told how many dense points there are, of about how many
+/// that will be.
 ///
 /// # Errors
 /// [`GapToLfs`](MedialAxisError::GapToLfs), [`Dense`](MedialAxisError::Dense) for more points than
@@ -108,13 +109,16 @@ pub fn measure(
     curve: &Curve,
     discretisation: Discretisation,
     estimator: Estimator,
+    progress: &dyn Fn(usize, usize),
 ) -> Result<Measured, MedialAxisError> {
     match discretisation {
         Discretisation::PerSegment(n) => {
-            Measured::new(DenseCurve::per_segment(curve, n)?, estimator)
+            let dense = DenseCurve::per_segment(curve, n)?;
+            progress(dense.len(), dense.len());
+            Measured::new(dense, estimator)
         }
         Discretisation::Adaptive { gap_to_lfs } => {
-            let refined = refine(curve, gap_to_lfs)?;
+            let refined = refine(curve, gap_to_lfs, progress)?;
             match estimator {
                 Estimator::Voronoi => Ok(refined),
                 Estimator::ShrinkingBall => Ok(Measured::by_shrinking_balls(refined.dense)),
@@ -124,9 +128,13 @@ pub fn measure(
 }
 
 /// Splits gaps until none is longer than `ratio` of the lfs at its ends.
-fn refine(curve: &Curve, ratio: f64) -> Result<Measured, MedialAxisError> {
-    let (axis, dense) = refine_axis(curve, ratio)?;
-    settle(curve, dense, ratio, |dense| {
+fn refine(
+    curve: &Curve,
+    ratio: f64,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Measured, MedialAxisError> {
+    let (axis, dense) = refine_axis(curve, ratio, progress)?;
+    settle(curve, dense, ratio, progress, |dense| {
         Ok(LocalFeatureSize::new(dense, &axis))
     })
 }
@@ -136,11 +144,14 @@ pub(crate) fn settle(
     curve: &Curve,
     mut dense: DenseCurve,
     ratio: f64,
+    progress: &dyn Fn(usize, usize),
     lfs: impl Fn(&DenseCurve) -> Result<LocalFeatureSize, MedialAxisError>,
 ) -> Result<Measured, MedialAxisError> {
     loop {
         let found = lfs(&dense)?;
-        let pieces = pieces(curve, &dense, &found, ratio);
+        let wanted = wanted(curve, &dense, &found, ratio);
+        tell(progress, &wanted, 1.0);
+        let pieces = pieces(&wanted);
         if pieces.iter().all(|&n| n == 1) {
             return Ok(Measured { dense, lfs: found });
         }
@@ -152,18 +163,24 @@ pub(crate) fn settle(
 pub(crate) fn refine_axis(
     curve: &Curve,
     ratio: f64,
+    progress: &dyn Fn(usize, usize),
 ) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     if !(ratio > 0.0 && ratio <= 1.0) {
         return Err(MedialAxisError::GapToLfs(ratio));
     }
-    let ratio = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
-    let (mut axis, dense) = coarse_axis(curve, ratio)?;
-    axis.extend(curvature::centres_at_joins(curve, &dense, ratio));
+    let coarse = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
+    let tell = |wanted: &[f64]| tell(progress, wanted, coarse / ratio);
+    let (mut axis, dense) = coarse_axis(curve, coarse, &tell)?;
+    axis.extend(curvature::centres_at_joins(curve, &dense, coarse));
     Ok((axis, dense))
 }
 
 /// The medial axis of points at most `ratio` of their lfs apart, and these.
-fn coarse_axis(curve: &Curve, ratio: f64) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
+fn coarse_axis(
+    curve: &Curve,
+    ratio: f64,
+    tell: &dyn Fn(&[f64]),
+) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = DenseCurve::per_segment(curve, START)?;
     let mut round = 0;
@@ -185,7 +202,9 @@ fn coarse_axis(curve: &Curve, ratio: f64) -> Result<(MedialAxis, DenseCurve), Me
             let at = dense.points()[i];
             return Err(MedialAxisError::Touching { at, distance });
         }
-        let mut pieces = pieces(curve, &dense, &lfs, ratio);
+        let wanted = wanted(curve, &dense, &lfs, ratio);
+        tell(&wanted);
+        let mut pieces = pieces(&wanted);
         for gap in spanning {
             pieces[gap] = pieces[gap].max(2);
         }
@@ -197,23 +216,41 @@ fn coarse_axis(curve: &Curve, ratio: f64) -> Result<(MedialAxis, DenseCurve), Me
     }
 }
 
-/// Into how many parts each gap is to be split.
-fn pieces(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<u32> {
+/// Into how many parts, 1 or more, the gap after each point would be split at once.
+fn wanted(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<f64> {
     (0..dense.len())
         .map(|i| {
-            let Some(next) = dense.next(i) else { return 1 };
+            let Some(next) = dense.next(i) else {
+                return 1.0;
+            };
             let radius = curvature::least_radius(curve, dense.params()[i], dense.params()[next]);
             let allowed = ratio * lfs.at(i).min(lfs.at(next)).min(radius);
-            let wanted = (chord(dense, i).length() / allowed)
-                .ceil()
-                .clamp(1.0, SPLIT);
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "clamped; a NaN becomes 0"
-            )]
-            let wanted = wanted as u32;
-            wanted.max(1)
+            (chord(dense, i).length() / allowed).ceil().max(1.0)
         })
         .collect()
+}
+
+/// Into how many parts each gap is to be split next.
+fn pieces(wanted: &[f64]) -> Vec<u32> {
+    let next = |&wanted: &f64| {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 1 to a few"
+        )]
+        let next = wanted.min(SPLIT) as u32;
+        next
+    };
+    wanted.iter().map(next).collect()
+}
+
+/// Tells how many points there are, of about how many: those wanted now, and `more` for each.
+fn tell(progress: &dyn Fn(usize, usize), wanted: &[f64], more: f64) {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "positive, and the cast saturates"
+    )]
+    let about = (wanted.iter().sum::<f64>() * more) as usize;
+    progress(wanted.len(), about.max(wanted.len()));
 }

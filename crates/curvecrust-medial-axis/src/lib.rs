@@ -16,7 +16,7 @@
 //! // A stadium: two half circles of radius 1 joined by lines of length 4.
 //! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.05 }, Estimator::Voronoi)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.05 }, Estimator::Voronoi, &|_, _| {})?;
 //! // Its medial axis is the core segment: lfs is 1 everywhere.
 //! assert!((measured.lfs().at(0) - 1.0).abs() < 1e-3);
 //! assert!((measured.lfs().minimum() - 1.0).abs() < 1e-3);

@@ -31,7 +31,8 @@ const SINE: f64 = 0.866_025_403_784_438_6;
 /// what [this module](self) says. The components of the dense curve are the
 /// [pieces](SplitCurve::pieces), so that the point at a corner is there twice.
 ///
-/// Without corners it is [`measure`](crate::measure).
+/// Without corners it is [`measure`](crate::measure). `progress` is told how many smooth parts have their medial axis,
+/// of how many.
 ///
 /// # Errors
 /// Those of [`measure`](crate::measure) for each smooth part;
@@ -43,15 +44,22 @@ const SINE: f64 = 0.866_025_403_784_438_6;
 ///
 /// // A bar of 10 by 1: half of its width is the lfs of its long sides.
 /// let bar = SplitCurve::from_path_data("M 0 0 H 10 V 1 H 0 Z")?;
-/// let measured = measure_pieces(&bar, 0.05)?;
+/// let measured = measure_pieces(&bar, 0.05, &|_, _| {})?;
 /// assert_eq!(measured.dense().components().len(), 4);
 /// assert!((measured.lfs().minimum() - 0.5).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn measure_pieces(split: &SplitCurve, gap_to_lfs: f64) -> Result<Measured, MedialAxisError> {
-    let mut parts = Vec::new();
-    for (pieces, curve) in split.smooth_parts() {
-        let (axis, dense) = refine_axis(&curve, gap_to_lfs)?;
+pub fn measure_pieces(
+    split: &SplitCurve,
+    gap_to_lfs: f64,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Measured, MedialAxisError> {
+    let smooth = split.smooth_parts();
+    let total = smooth.len();
+    let mut parts = Vec::with_capacity(total);
+    for (pieces, curve) in smooth {
+        progress(parts.len(), total);
+        let (axis, dense) = refine_axis(&curve, gap_to_lfs, &|_, _| ())?;
         let lfs = LocalFeatureSize::new(&dense, &axis);
         let measured = Measured::from_parts(dense, lfs);
         parts.push(Part {
@@ -61,6 +69,7 @@ pub fn measure_pieces(split: &SplitCurve, gap_to_lfs: f64) -> Result<Measured, M
             measured,
         });
     }
+    progress(total, total);
     let least = TOUCHING * split.pieces().extent();
     let mut points = 0;
     loop {
@@ -163,7 +172,7 @@ impl Part {
             .map(|&piece| self.neighbours(split, outlines, piece))
             .collect();
         let dense = self.measured.dense().clone();
-        self.measured = settle(&self.curve, dense, gap_to_lfs, |dense| {
+        self.measured = settle(&self.curve, dense, gap_to_lfs, &|_, _| (), |dense| {
             let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
             for (component, neighbours) in dense.components().iter().zip(&neighbours) {
                 let range = component.range.clone();

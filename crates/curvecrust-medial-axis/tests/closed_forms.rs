@@ -120,7 +120,7 @@ fn jumps_of_curvature_do_not_make_lfs_too_large() {
     // Curvature jumps at the joins of its Béziers, where branches of the axis end.
     let curve = Curve::from_svg(include_str!("../../../fixtures/curves/violin.svg")).unwrap();
     let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.02 };
-    let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
+    let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
     let eight = vec![8; measured.dense().len()];
     let fine = measured.dense().refined(&curve, &eight).unwrap();
     let fine = Measured::new(fine, Estimator::Voronoi).unwrap();

@@ -6,7 +6,7 @@ use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::{Measured, MedialAxisError, measure_pieces};
 
 fn measured(d: &str) -> Measured {
-    measure_pieces(&SplitCurve::from_path_data(d).unwrap(), 0.05).unwrap()
+    measure_pieces(&SplitCurve::from_path_data(d).unwrap(), 0.05, &|_, _| {}).unwrap()
 }
 
 /// The lfs of a piece where its dense points are nearest to a place.
@@ -64,9 +64,9 @@ fn gaps_are_as_short_as_asked_for() {
 #[test]
 fn pieces_that_touch_are_refused() {
     let crossing = SplitCurve::from_path_data("M 0 0 H 4 V 4 H 0 Z M 2 2 H 6 V 6 H 2 Z").unwrap();
-    let error = measure_pieces(&crossing, 0.05).unwrap_err();
+    let error = measure_pieces(&crossing, 0.05, &|_, _| {}).unwrap_err();
     assert!(matches!(error, MedialAxisError::Touching { .. }), "{error}");
     let bar = SplitCurve::from_path_data("M 0 0 H 10 V 1 H 0 Z").unwrap();
-    let error = measure_pieces(&bar, 0.0).unwrap_err();
+    let error = measure_pieces(&bar, 0.0, &|_, _| {}).unwrap_err();
     assert!(matches!(error, MedialAxisError::GapToLfs(_)), "{error}");
 }

@@ -8,7 +8,7 @@ const ADAPTIVE: Discretisation = Discretisation::Adaptive { gap_to_lfs: 0.05 };
 
 fn refusal(d: &str, discretisation: Discretisation) -> MedialAxisError {
     let curve = Curve::from_path_data(d).unwrap();
-    measure(&curve, discretisation, Estimator::Voronoi).unwrap_err()
+    measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap_err()
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn more_points_than_the_limit() {
 fn a_lone_segment_has_no_axis() {
     let curve = Curve::from_path_data("M 0 0 L 7 3").unwrap();
     for discretisation in [ADAPTIVE, Discretisation::PerSegment(300)] {
-        let measured = measure(&curve, discretisation, Estimator::Voronoi).unwrap();
+        let measured = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
         assert!(measured.lfs().values().iter().all(|lfs| lfs.is_infinite()));
     }
 }

@@ -10,11 +10,11 @@
 //!
 //! Cost: O(n) for n dense points.
 
-use curvecrust_curve::Curve;
+use curvecrust_curve::{Curve, DENSE_LIMIT, DenseError};
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, MedialAxisError, measure};
 
 use crate::check::{Attained, verdict};
-use crate::condition::Condition;
+use crate::condition::{Bound, Condition};
 use crate::error::{SAMPLE_LIMIT, SamplingError};
 use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
@@ -40,7 +40,7 @@ pub struct CertifiedSampling {
 ///
 /// # Errors
 /// [`TooCoarse`](SamplingError::TooCoarse) where dense points are too far apart,
-/// [`TooMany`](SamplingError::TooMany) where a Hausdorff limit is the reason.
+/// [`TooMany`](SamplingError::TooMany) where the condition asks for too many samples.
 ///
 /// ```
 /// use curvecrust_curve::Curve;
@@ -49,7 +49,7 @@ pub struct CertifiedSampling {
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi)?;
+/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi, &|_, _| {})?;
 /// let certified = sample(&measured, Condition::rho(0.9)?)?;
 /// let attained = certified.attained.unwrap();
 /// assert!(0.85 < attained.bound && attained.at_most < 0.9);
@@ -66,18 +66,22 @@ pub fn sample(
 const GAP_TO_LFS: f64 = 0.02;
 /// The fraction of the bound that gaps are to be of lfs.
 const GAP_TO_BOUND: f64 = 0.05;
+/// Gaps that are to be smaller are tried at first, to see how many there would be.
+const TRIED: f64 = 1e-3;
 
-/// Discretises a curve as finely as the condition asks for, and [samples](sample) it.
+/// Discretises a curve as finely as the condition asks for, and [samples](sample) it. `progress` is that of
+/// [`measure`], once for every discretisation that is tried.
 ///
 /// # Errors
 /// Those of [`measure`], in [`SamplingError::Measure`]; and [`TooMany`](SamplingError::TooMany).
 pub fn sample_curve(
     curve: &Curve,
     condition: Condition,
+    progress: &dyn Fn(usize, usize),
 ) -> Result<(Measured, CertifiedSampling), SamplingError> {
     let measured = |gap_to_lfs| {
         let discretisation = Discretisation::Adaptive { gap_to_lfs };
-        measure(curve, discretisation, Estimator::Voronoi)
+        measure(curve, discretisation, Estimator::Voronoi, progress)
     };
     as_finely_as_needed(condition, measured, |measured| sample(measured, condition))
 }
@@ -88,14 +92,32 @@ pub(crate) fn as_finely_as_needed(
     measured: impl Fn(f64) -> Result<Measured, MedialAxisError>,
     sample: impl Fn(&Measured) -> Result<CertifiedSampling, SamplingError>,
 ) -> Result<(Measured, CertifiedSampling), SamplingError> {
-    let mut gap_to_lfs = GAP_TO_LFS.min(GAP_TO_BOUND * condition.bound().value());
+    let wanted = GAP_TO_LFS.min(GAP_TO_BOUND * condition.bound().value());
+    let mut gap_to_lfs = wanted.max(TRIED);
+    let mut too_many = None;
     loop {
-        let measured = measured(gap_to_lfs)?;
-        match sample(&measured) {
-            Ok(certified) => return Ok((measured, certified)),
-            Err(SamplingError::TooCoarse { .. }) if gap_to_lfs > f64::EPSILON => gap_to_lfs /= 4.0,
-            Err(error) => return Err(error),
+        let measured = match (measured(gap_to_lfs), too_many) {
+            (Err(MedialAxisError::Dense(DenseError::TooMany { .. })), Some(asked)) => {
+                return Err(asked);
+            }
+            (measured, _) => measured?,
+        };
+        let finer = if gap_to_lfs > wanted {
+            wanted
+        } else {
+            match sample(&measured) {
+                Ok(certified) => return Ok((measured, certified)),
+                Err(SamplingError::TooCoarse { .. }) if gap_to_lfs > f64::EPSILON => {
+                    gap_to_lfs / 4.0
+                }
+                Err(error) => return Err(error),
+            }
+        };
+        let asked = asked_for(&measured, condition).0;
+        if steps(&measured, |lfs| finer * lfs) > DENSE_LIMIT as f64 {
+            return Err(asked);
         }
+        (gap_to_lfs, too_many) = (finer, Some(asked));
     }
 }
 
@@ -151,32 +173,47 @@ pub(crate) fn walk(gaps: &Gaps, condition: Condition, start: usize) -> Result<Ve
 
 /// What to say of the gap after a dense point.
 pub(crate) fn too_coarse(measured: &Measured, condition: Condition, index: usize) -> SamplingError {
+    let (asked, count) = asked_for(measured, condition);
+    if count > SAMPLE_LIMIT as f64 {
+        return asked;
+    }
     let (dense, lfs) = (measured.dense(), measured.lfs());
     let next = dense.next(index).unwrap_or(index);
     let (p, q) = (dense.points()[index], dense.points()[next]);
-    if let Some(limit) = condition.hausdorff_limit() {
-        // At distance g, the curve is g^2 / 8 lfs from the chord.
-        let wanted = |i: usize| {
-            let gap = dense
-                .next(i)
-                .map_or(0.0, |j| dense.points()[i].distance(dense.points()[j]));
-            gap / (8.0 * limit * lfs.at(i)).sqrt()
-        };
-        let count: f64 = (0..dense.len()).map(wanted).sum();
-        if count > SAMPLE_LIMIT as f64 {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "positive, and the cast saturates"
-            )]
-            let count = count as u64;
-            return SamplingError::TooMany { count };
-        }
-    }
     SamplingError::TooCoarse {
         index,
         at: p,
         gap: p.distance(q),
         lfs: lfs.at(index).min(lfs.at(next)),
     }
+}
+
+/// About how many samples a condition asks for, and what to say of that if it is too many.
+fn asked_for(measured: &Measured, condition: Condition) -> (SamplingError, f64) {
+    let (name, bound) = match condition.bound() {
+        Bound::Epsilon(epsilon) => ("epsilon", epsilon),
+        Bound::Rho(rho) => ("rho", rho),
+    };
+    // Both samples of an interval are as far as the bound from its middle.
+    let for_bound = steps(measured, |lfs| 2.0 * bound * lfs);
+    // From a chord of length c, a curve that turns with lfs as its radius is c^2 / 8 lfs away.
+    let limit = condition.hausdorff_limit().unwrap_or(f64::INFINITY);
+    let for_limit = steps(measured, |lfs| (8.0 * limit * lfs).sqrt());
+    let (what, value, count) = if for_limit > for_bound {
+        ("the Hausdorff limit", limit, for_limit)
+    } else {
+        (name, bound, for_bound)
+    };
+    (SamplingError::too_many(what, value, count), count)
+}
+
+/// How many steps go along all components, each as long as it may be where lfs is what it is.
+fn steps(measured: &Measured, step: impl Fn(f64) -> f64) -> f64 {
+    let (dense, lfs) = (measured.dense(), measured.lfs());
+    let of_gap = |i: usize| {
+        let next = dense.next(i)?;
+        let gap = dense.points()[i].distance(dense.points()[next]);
+        Some(gap / step(lfs.at(i)))
+    };
+    (0..dense.len()).filter_map(of_gap).sum()
 }

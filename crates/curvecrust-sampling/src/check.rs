@@ -79,7 +79,7 @@ impl Verdict {
 /// use curvecrust_sampling::{PlacedSamples, effective_epsilon};
 ///
 /// let circle = Curve::from_path_data("M 1 0 A 1 1 0 0 1 -1 0 A 1 1 0 0 1 1 0 Z")?;
-/// let measured = measure(&circle, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi)?;
+/// let measured = measure(&circle, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi, &|_, _| {})?;
 /// let corners = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
 /// let square = PlacedSamples::project(&measured, &corners, 1e-4)?.samples;
 /// // The worst points are 45 degrees from the corners.

@@ -1,12 +1,12 @@
 //! Why a curve cannot be sampled, or samples not be judged.
 
-use curvecrust_curve::Corner;
+use curvecrust_curve::{Corner, DENSE_LIMIT};
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::MedialAxisError;
 use thiserror::Error;
 
-/// The largest number of samples that are taken.
-pub const SAMPLE_LIMIT: u64 = 10_000_000;
+/// The largest number of samples that are taken: samplers choose them from dense points.
+pub const SAMPLE_LIMIT: u64 = DENSE_LIMIT as u64;
 
 /// Why a curve cannot be sampled, or samples not be judged.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -16,7 +16,7 @@ pub enum SamplingError {
     /// samples.
     #[error(
         "the gap of {gap:e} after dense point {index} at ({}, {}), where the local feature size is \
-         {lfs:e}, is too long for the condition: measure with a smaller gap_to_lfs",
+         {lfs:e}, is too long for the condition: discretise the curve more finely",
         at.x, at.y
     )]
     TooCoarse {
@@ -29,13 +29,18 @@ pub enum SamplingError {
         /// The smaller local feature size of the two.
         lfs: f64,
     },
-    /// The condition asks for more samples than [`SAMPLE_LIMIT`].
+    /// A bound, a limit or a step is so small that it asks for more samples than [`SAMPLE_LIMIT`], or for so many
+    /// that they cannot be certified with [`DENSE_LIMIT`] dense points: each takes a few.
     #[error(
-        "the Hausdorff limit asks for about {count} samples, and {SAMPLE_LIMIT} is the most: take a \
-         larger limit"
+        "{what} is {value:e}, which asks for about {count} samples, too many for {DENSE_LIMIT} dense points, the \
+         most there can be: take a larger one"
     )]
     TooMany {
-        /// About how many.
+        /// What is too small.
+        what: &'static str,
+        /// How small it is.
+        value: f64,
+        /// About how many samples it asks for.
         count: u64,
     },
     /// A sample does not come after the one before it.
@@ -48,6 +53,17 @@ pub enum SamplingError {
         index: usize,
         /// Its component.
         component: usize,
+    },
+    /// Two samples have the same place on the curve.
+    #[error(
+        "samples {} and {} are at the same place of the curve, near ({}, {}): leave one of them out",
+        samples[0], samples[1], at.x, at.y
+    )]
+    SamePlace {
+        /// Their indices, ascending.
+        samples: [usize; 2],
+        /// The first of them.
+        at: DVec2,
     },
     /// A sample names no place on the dense curve.
     #[error(
@@ -63,11 +79,14 @@ pub enum SamplingError {
     },
     /// A sample is not on the curve.
     #[error(
-        "sample {index} is {distance:e} from the curve, farther than the tolerance of {tolerance:e}"
+        "sample {index} at ({}, {}) is {distance:e} from the curve, farther than the tolerance of {tolerance:e}",
+        at.x, at.y
     )]
     OffCurve {
         /// Index of the sample.
         index: usize,
+        /// The sample.
+        at: DVec2,
         /// Its distance to the curve; NaN if it has a coordinate that is not finite.
         distance: f64,
         /// The largest distance that is taken.
@@ -113,4 +132,16 @@ pub enum SamplingError {
     /// The curve has no local feature size that can be computed.
     #[error(transparent)]
     Measure(#[from] MedialAxisError),
+}
+
+impl SamplingError {
+    pub(crate) fn too_many(what: &'static str, value: f64, count: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "positive, and the cast saturates"
+        )]
+        let count = count as u64;
+        Self::TooMany { what, value, count }
+    }
 }

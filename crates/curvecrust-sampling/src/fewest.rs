@@ -54,7 +54,7 @@ const CHUNK: usize = 2048;
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
 /// let rho = Condition::rho(0.9)?;
 /// let fewest = sample_fewest(&measured, rho, &|_done, _of| {})?;
 /// assert!(fewest.samples.len() <= sample(&measured, rho)?.samples.len());
@@ -207,7 +207,7 @@ mod tests {
         ] {
             let curve = Curve::from_path_data(d).unwrap();
             let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.05 };
-            let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
+            let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
             let gaps = &Gaps::of(&measured)[0];
             for b in [0.9, 0.7, 0.5, 0.4, 0.3, 0.25] {
                 let limit = 0.002 * curve.extent();

@@ -139,7 +139,7 @@ mod tests {
         ) {
             let curve = wavy(&radii);
             let discretisation = Discretisation::PerSegment(per_segment);
-            let measured = measure(&curve, discretisation, Estimator::ShrinkingBall).unwrap();
+            let measured = measure(&curve, discretisation, Estimator::ShrinkingBall, &|_, _| {}).unwrap();
             let range = measured.dense().components()[0].range.clone();
             let track = Track::new(&measured, range.clone(), true);
             for condition in [Condition::epsilon(bound).unwrap(), Condition::rho(bound).unwrap()] {

@@ -26,7 +26,7 @@
 //!
 //! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
 //! let sparse = sample(&measured, Condition::rho(0.9)?)?.samples;
 //! let dense = sample(&measured, Condition::epsilon(1.0 / 3.0)?)?.samples;
 //! assert!(2 * sparse.len() < dense.len());

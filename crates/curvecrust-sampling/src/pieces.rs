@@ -40,7 +40,8 @@ pub struct SplitSampling {
 }
 
 /// Discretises the pieces of a curve as finely as the condition asks for, and samples each from one corner to the
-/// next; components without a corner from the best of all starts.
+/// next; components without a corner from the best of all starts. `progress` is that of [`measure_pieces`], once for
+/// every discretisation that is tried.
 ///
 /// # Errors
 /// [`SharpCorners`](SamplingError::SharpCorners), and those of [`sample_curve`](crate::sample_curve).
@@ -51,7 +52,7 @@ pub struct SplitSampling {
 /// use curvecrust_sampling::{Condition, sample_split};
 ///
 /// let half_disc = SplitCurve::from_path_data("M 0 0 A 1 1 0 0 1 2 0 Z")?;
-/// let (_, sampling) = sample_split(&half_disc, Condition::rho(0.9)?)?;
+/// let (_, sampling) = sample_split(&half_disc, Condition::rho(0.9)?, &|_, _| {})?;
 /// let samples = sampling.samples;
 /// for corner in half_disc.corners() {
 ///     assert!(samples.points().contains(&corner.at));
@@ -62,11 +63,12 @@ pub struct SplitSampling {
 pub fn sample_split(
     split: &SplitCurve,
     condition: Condition,
+    progress: &dyn Fn(usize, usize),
 ) -> Result<(Measured, SplitSampling), SamplingError> {
     check_corners(split)?;
     let (measured, pieces) = as_finely_as_needed(
         condition,
-        |gap_to_lfs| measure_pieces(split, gap_to_lfs),
+        |gap_to_lfs| measure_pieces(split, gap_to_lfs, progress),
         |measured| sample_pieces(split, measured, condition),
     )?;
     let samples = joined(split, &measured, &pieces.samples);

@@ -121,6 +121,7 @@ impl PlacedSamples {
             let Placement { point, dense, .. } = placements[index];
             return Err(SamplingError::OffCurve {
                 index,
+                at: point,
                 distance: point.distance(points[dense]),
                 tolerance: 0.0,
             });
@@ -133,7 +134,7 @@ impl PlacedSamples {
     /// # Errors
     /// [`Parameter`](SamplingError::Parameter) for a tolerance that is no length,
     /// [`OffCurve`](SamplingError::OffCurve) for the first point that is farther than the tolerance, and
-    /// [`OutOfOrder`](SamplingError::OutOfOrder) for points that have the same projection.
+    /// [`SamePlace`](SamplingError::SamePlace) for points that have the same projection.
     pub fn project(
         measured: &Measured,
         points: &[DVec2],
@@ -162,6 +163,7 @@ impl PlacedSamples {
                 _ => {
                     return Err(SamplingError::OffCurve {
                         index,
+                        at: p,
                         distance,
                         tolerance,
                     });
@@ -172,6 +174,12 @@ impl PlacedSamples {
             let along = p.dense.cmp(&q.dense).then(p.t.total_cmp(&q.t));
             along.then(i.cmp(j))
         });
+        if let Some(pair) = found.windows(2).find(|f| key(&f[0].0) == key(&f[1].0)) {
+            return Err(SamplingError::SamePlace {
+                samples: [pair[0].1, pair[1].1],
+                at: pair[0].0.point,
+            });
+        }
         let samples = Self::new(measured, found.iter().map(|f| f.0).collect())?;
         Ok(Projected {
             samples,

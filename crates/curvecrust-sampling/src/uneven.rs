@@ -49,9 +49,7 @@ pub fn sample_uniformly(measured: &Measured, step: f64) -> Result<SampledCurve, 
         .map(|l| l / step)
         .sum();
     if wanted > SAMPLE_LIMIT as f64 {
-        return Err(SamplingError::TooMany {
-            count: whole(wanted),
-        });
+        return Err(SamplingError::too_many("the step", step, wanted));
     }
     for (component, along) in components.iter().zip(&lengths) {
         let length = along.last().copied().unwrap_or(0.0);

@@ -83,7 +83,7 @@ pub struct Verification<'a> {
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
 /// let start = sample(&measured, Condition::rho(0.9)?)?.samples;
 /// let verification = Verification {
 ///     algorithm: &HnnCrust::MUTUAL,

@@ -3,6 +3,9 @@
 
 mod common;
 
+use std::cell::RefCell;
+use std::f64::consts::TAU;
+
 use common::{Random, fixtures, random_closed};
 use curvecrust_curve::{Curve, DenseCurve};
 use curvecrust_geometry::Segment;
@@ -49,7 +52,7 @@ fn finer(curve: &Curve, measured: &Measured) -> DenseCurve {
 
 fn measured(curve: &Curve, gap_to_lfs: f64) -> Measured {
     let discretisation = Discretisation::Adaptive { gap_to_lfs };
-    measure(curve, discretisation, Estimator::Voronoi).unwrap()
+    measure(curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap()
 }
 
 /// The definitions, point by point. Returns the largest ratio of a length to what it has to be below:
@@ -172,7 +175,7 @@ fn random_curves_hold_at_every_point() {
     while curves.len() < 200 {
         let curve = random_closed(&mut random);
         let discretisation = Discretisation::Adaptive { gap_to_lfs: 0.1 };
-        match measure(&curve, discretisation, Estimator::Voronoi) {
+        match measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}) {
             Ok(_) => curves.push(curve),
             Err(_) => refused += 1,
         }
@@ -193,7 +196,13 @@ fn random_curves_hold_at_every_point() {
 #[test]
 fn what_cannot_be_certified_is_refused() {
     let curve = Curve::from_path_data("M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z").unwrap();
-    let coarse = measure(&curve, Discretisation::PerSegment(8), Estimator::Voronoi).unwrap();
+    let coarse = measure(
+        &curve,
+        Discretisation::PerSegment(8),
+        Estimator::Voronoi,
+        &|_, _| {},
+    )
+    .unwrap();
     let rho = Condition::rho(0.9).unwrap();
     let Err(SamplingError::TooCoarse { gap, lfs, .. }) = sample(&coarse, rho) else {
         panic!("a gap of half the lfs");
@@ -201,10 +210,46 @@ fn what_cannot_be_certified_is_refused() {
     assert!((gap - 0.5).abs() < 1e-6 && lfs < 1.1);
 
     let limited = |limit| rho.with_hausdorff_limit(limit).unwrap();
-    let (_, certified) = sample_curve(&curve, limited(1e-6)).unwrap();
+    let (_, certified) = sample_curve(&curve, limited(1e-6), &|_, _| {}).unwrap();
     assert!(certified.samples.len() > 1000);
-    let Err(SamplingError::TooMany { count }) = sample_curve(&curve, limited(1e-16)) else {
-        panic!("a limit at the precision of coordinates");
+    // Without one dense point for each sample, and with one for many: whatever asks for too many is named.
+    for (condition, name, least) in [
+        (limited(1e-16), "the Hausdorff limit", 1e7),
+        (Condition::rho(1e-7).unwrap(), "rho", 1e7),
+        (Condition::epsilon(1e-9).unwrap(), "epsilon", 1e9),
+        (Condition::rho(2e-6).unwrap(), "rho", 1e6),
+        (Condition::rho(f64::MIN_POSITIVE).unwrap(), "rho", 1e18),
+    ] {
+        let refused = sample_curve(&curve, condition, &|_, _| {}).unwrap_err();
+        let SamplingError::TooMany { what, value, count } = refused else {
+            panic!("{condition:?}: {refused}");
+        };
+        assert_eq!(what, name);
+        assert!(count as f64 > least && refused.to_string().contains(&count.to_string()));
+        let limit = condition.hausdorff_limit();
+        assert!((value - limit.unwrap_or(condition.bound().value())).abs() <= 0.0);
+    }
+    // A stadium of length 8 + 2 pi and lfs 1.
+    let asked = sample(&coarse, Condition::rho(1e-7).unwrap()).unwrap_err();
+    let SamplingError::TooMany { count, .. } = asked else {
+        panic!("{asked}");
     };
-    assert!(count > 10_000_000);
+    assert!(
+        (count as f64 / ((8.0 + TAU) / 2e-7) - 1.0).abs() < 0.03,
+        "{count}"
+    );
+}
+
+#[test]
+fn progress_ends_where_all_is_done() {
+    let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
+    let told = RefCell::new(Vec::new());
+    let progress = |done, of| told.borrow_mut().push((done, of));
+    let rho = Condition::rho(0.9).unwrap();
+    let (measured, _) = sample_curve(&curve, rho, &progress).unwrap();
+    let told = told.into_inner();
+    let points = measured.dense().len();
+    assert_eq!(told.last(), Some(&(points, points)));
+    assert!(told.len() > 2 && told.is_sorted());
+    assert!(told.iter().all(|(done, of)| done <= of));
 }

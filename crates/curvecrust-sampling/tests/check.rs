@@ -115,7 +115,7 @@ fn samplers_attain_their_bounds() {
     const GAP: f64 = 0.02;
     for (name, curve) in fixtures() {
         let discretisation = Discretisation::Adaptive { gap_to_lfs: GAP };
-        let measured = measure(&curve, discretisation, Estimator::Voronoi).unwrap();
+        let measured = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
         for b in [0.9, 0.47] {
             for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
                 let certified = sample(&measured, condition).unwrap();
@@ -165,6 +165,7 @@ fn arch() -> Measured {
         &curve,
         Discretisation::Adaptive { gap_to_lfs: 0.01 },
         Estimator::Voronoi,
+        &|_, _| {},
     )
     .unwrap()
 }
@@ -235,12 +236,24 @@ fn samples_out_of_place_are_refused() {
     let off = [DVec2::ZERO, DVec2::new(3.0, 3.5)];
     let refused = PlacedSamples::project(&arch, &off, 0.1).unwrap_err();
     let SamplingError::OffCurve {
-        index, distance, ..
+        index,
+        at,
+        distance,
+        ..
     } = refused
     else {
         panic!("{refused}");
     };
-    assert!(index == 1 && (distance - 0.5).abs() < 1e-3);
+    assert!((index, at) == (1, off[1]) && (distance - 0.5).abs() < 1e-3);
+
+    // Both before the start: the place of both is the start.
+    let twice = [DVec2::new(6.0, 0.0), DVec2::new(0.0, -0.1), DVec2::ZERO];
+    let refused = PlacedSamples::project(&arch, &twice, 0.1).unwrap_err();
+    let same = SamplingError::SamePlace {
+        samples: [1, 2],
+        at: twice[1],
+    };
+    assert_eq!(refused, same);
     assert!(PlacedSamples::project(&arch, &[DVec2::NAN], 0.1).is_err());
     assert!(PlacedSamples::project(&arch, &off, f64::NAN).is_err());
 
@@ -279,7 +292,13 @@ fn a_closed_curve_may_begin_anywhere_but_once() {
 #[test]
 fn a_straight_line_needs_no_samples_between_its_ends() {
     let line = Curve::from_path_data("M 0 0 H 3").unwrap();
-    let measured = measure(&line, Discretisation::PerSegment(3), Estimator::Voronoi).unwrap();
+    let measured = measure(
+        &line,
+        Discretisation::PerSegment(3),
+        Estimator::Voronoi,
+        &|_, _| {},
+    )
+    .unwrap();
     let ends = [DVec2::ZERO, DVec2::new(3.0, 0.0)];
     let inner = [DVec2::new(0.4, 0.0), DVec2::new(1.7, 0.0)];
     for samples in [ends, inner] {

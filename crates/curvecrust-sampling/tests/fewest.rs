@@ -13,6 +13,7 @@ fn measured(curve: &Curve, gap_to_lfs: f64) -> Option<Measured> {
         curve,
         Discretisation::Adaptive { gap_to_lfs },
         Estimator::Voronoi,
+        &|_, _| {},
     )
     .ok()
 }

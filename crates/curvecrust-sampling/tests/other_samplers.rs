@@ -17,6 +17,7 @@ fn curves() -> Measured {
         &curve,
         Discretisation::Adaptive { gap_to_lfs: 0.01 },
         Estimator::Voronoi,
+        &|_, _| {},
     )
     .unwrap()
 }

@@ -21,7 +21,7 @@ fn split(d: &str) -> SplitCurve {
 
 /// Samples of a curve, which are what they promise to be.
 fn sampled(split: &SplitCurve, condition: Condition) -> SplitSampling {
-    let (measured, sampling) = sample_split(split, condition).unwrap();
+    let (measured, sampling) = sample_split(split, condition, &|_, _| {}).unwrap();
     let placed = PlacedSamples::of(&measured, &sampling.pieces.samples).unwrap();
     assert!(check(&measured, &placed, condition).certain);
     let samples = &sampling.samples;
@@ -82,8 +82,8 @@ fn corners_are_samples_and_hnn_crust_gets_round_them() {
 fn without_corners_nothing_changes() {
     let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z M 30 100 C 30 140 90 140 90 100";
     let rho = Condition::rho(0.9).unwrap();
-    let (measured, sampling) = sample_split(&split(d), rho).unwrap();
-    let (other, _) = sample_curve(&Curve::from_path_data(d).unwrap(), rho).unwrap();
+    let (measured, sampling) = sample_split(&split(d), rho, &|_, _| {}).unwrap();
+    let (other, _) = sample_curve(&Curve::from_path_data(d).unwrap(), rho, &|_, _| {}).unwrap();
     assert_eq!(measured.dense(), other.dense());
     assert_eq!(measured.lfs(), other.lfs());
     assert_eq!(
@@ -96,7 +96,7 @@ fn without_corners_nothing_changes() {
 #[test]
 fn what_no_samples_help_is_refused() {
     let rho = Condition::rho(0.9).unwrap();
-    let refused = |d| sample_split(&split(d), rho).unwrap_err();
+    let refused = |d| sample_split(&split(d), rho, &|_, _| {}).unwrap_err();
     // Angles of 45, 90 and 45 degrees.
     let error = refused("M 0 0 H 4 V 4 Z");
     let SamplingError::SharpCorners(corners) = &error else {

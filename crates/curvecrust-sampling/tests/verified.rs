@@ -18,6 +18,7 @@ fn measured(curve: &Curve) -> Measured {
         curve,
         Discretisation::Adaptive { gap_to_lfs: 0.03 },
         Estimator::Voronoi,
+        &|_, _| {},
     )
     .unwrap()
 }

@@ -27,7 +27,7 @@
 //!
 //! let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
 //! let samples = sample_greedy(&measured, Condition::rho(0.9)?);
 //!
 //! // What the reconstruction sees is bare points.
@@ -49,7 +49,7 @@
 //! use curvecrust::sampling::{Condition, sample_unevenly};
 //!
 //! let curve = Curve::from_path_data("M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z")?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi)?;
+//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
 //! let reference = Reference::of_curve(&curve, 1e-4 * curve.extent());
 //! let mut rows = Vec::new();
 //! for rho in [0.5, 0.7, 0.9] {

@@ -31,7 +31,7 @@ fn fixtures() -> Vec<(String, PointSet)> {
     for path in files("curves") {
         let curve = Curve::from_svg(&fs::read_to_string(&path).unwrap()).unwrap();
         let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.05 };
-        let measured = measure(&curve, adaptive, Estimator::Voronoi).unwrap();
+        let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
         for condition in [Condition::rho(0.9), Condition::epsilon(1.0 / 3.0)] {
             let sampling = sample(&measured, condition.unwrap()).unwrap();
             found.push((name(&path), sampling.samples.points().to_vec()));

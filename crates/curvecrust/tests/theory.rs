@@ -132,7 +132,13 @@ fn the_theorems_hold_on_every_sampling() {
     jobs.into_par_iter().for_each(|(path, seed)| {
         let curve = Curve::from_svg(&std::fs::read_to_string(&path).unwrap()).unwrap();
         let adaptive = Discretisation::Adaptive { gap_to_lfs: GAP };
-        let measured = measure(&restarted(&curve, seed), adaptive, Estimator::Voronoi).unwrap();
+        let measured = measure(
+            &restarted(&curve, seed),
+            adaptive,
+            Estimator::Voronoi,
+            &|_, _| {},
+        )
+        .unwrap();
         let name = format!(
             "{} from start {seed}",
             path.file_stem().unwrap().to_string_lossy()

@@ -69,7 +69,7 @@ impl Scene {
         let adaptive = Discretisation::Adaptive {
             gap_to_lfs: GAP_TO_LFS,
         };
-        let measured = measure(&curve, adaptive, Estimator::Voronoi)?;
+        let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {})?;
         Ok(Self {
             reference: Reference::of_curve(&curve, FLATNESS * curve.extent()),
             parts: parts(&measured),

@@ -62,11 +62,11 @@ impl Run {
             }
             (Points::PerSegment, Estimator::Voronoi) => {
                 let discretisation = Discretisation::PerSegment(PER_SEGMENT);
-                measure(&model.curve, discretisation, estimator)
+                measure(&model.curve, discretisation, estimator, &|_, _| {})
             }
             (Points::Adaptive(gap_to_lfs), _) => {
                 let discretisation = Discretisation::Adaptive { gap_to_lfs };
-                measure(&model.curve, discretisation, estimator)
+                measure(&model.curve, discretisation, estimator, &|_, _| {})
             }
         };
         measured.with_context(|| model.name.to_owned())

@@ -46,8 +46,8 @@ pub(super) fn measured(
             gap_to_lfs: args.gap.unwrap_or(finest),
         },
     };
-    let measured = console.during("measuring the local feature size", |_| {
-        measure(curve, discretisation, Estimator::Voronoi)
+    let measured = console.during("measuring the local feature size", |progress| {
+        measure(curve, discretisation, Estimator::Voronoi, progress)
     });
     measured.with_context(|| input::name(&args.path))
 }

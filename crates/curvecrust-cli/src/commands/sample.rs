@@ -10,6 +10,7 @@ use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::evaluate::hausdorff;
+use curvecrust::medial_axis::Measured;
 use curvecrust::reconstruct::{HnnCrust, hnn_crust};
 use curvecrust::sampling::{
     CertifiedSampling, Condition, DeviationLimit, PlacedSamples, SampledCurve, Verification, check,
@@ -73,7 +74,11 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
     let (curve, certified) = match args.corners {
         Corners::Refuse => {
             let curve = curves::read(&args.curve.path)?;
-            let certified = taken(args, &curve, condition(args, &curve)?, console)
+            let condition = condition(args, &curve)?;
+            let given = (args.curve.gap.is_some() || args.curve.per_segment.is_some())
+                .then(|| curves::measured(&args.curve, &curve, None, console))
+                .transpose()?;
+            let certified = taken(args, &curve, given, condition, console)
                 .with_context(|| input::name(&args.curve.path))?;
             (curve, certified)
         }
@@ -132,7 +137,9 @@ fn from_corner_to_corner(
         bail!("--corners split goes without --gap, --per-segment and --count");
     }
     let condition = condition(args, split.pieces())?;
-    let (_, sampling) = console.during("sampling", |_| sample_split(split, condition))?;
+    let (_, sampling) = console.during("sampling", |progress| {
+        sample_split(split, condition, progress)
+    })?;
     let samples = sampling.samples;
     let corners = split.corners().len();
     if corners > 0 {
@@ -151,19 +158,22 @@ fn from_corner_to_corner(
     })
 }
 
-/// Samples as they were asked for.
+/// Samples as they were asked for, at dense points that are given, or as many as needed.
 fn taken(
     args: &args::Sample,
     curve: &Curve,
+    given: Option<Measured>,
     condition: Condition,
     console: &Console,
 ) -> anyhow::Result<CertifiedSampling> {
-    let (measured, greedy) = if args.curve.gap.is_some() || args.curve.per_segment.is_some() {
-        let measured = curves::measured(&args.curve, curve, None, console)?;
-        let greedy = sample(&measured, condition)?;
-        (measured, greedy)
-    } else {
-        console.during("sampling", |_| sample_curve(curve, condition))?
+    let (measured, greedy) = match given {
+        Some(measured) => {
+            let greedy = sample(&measured, condition)?;
+            (measured, greedy)
+        }
+        None => console.during("sampling", |progress| {
+            sample_curve(curve, condition, progress)
+        })?,
     };
     match args.count {
         Count::Greedy => Ok(greedy),

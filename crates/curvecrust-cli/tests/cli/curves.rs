@@ -68,9 +68,17 @@ fn points_off_the_curve_are_no_samples() {
     folder.write("off.csv", folder.read("s.csv") + "0,-999,-999\n");
     let error = folder.run(&format!("check {curve} off.csv")).error();
     assert!(
-        error.contains("off.csv: sample") && error.contains("from the curve"),
+        error.contains("off.csv: sample 49 at (-999, -999) is ")
+            && error.contains(" from the curve, farther than the tolerance of "),
         "{error}"
     );
+    // Both before the start.
+    folder.write("twice.csv", "3,0\n-0.2,0\n1,0\n-0.1,0\n");
+    let line = "<svg xmlns='http://www.w3.org/2000/svg'><path d='M 0 0 H 3'/></svg>";
+    folder.write("line.svg", line);
+    let error = folder.run("check line.svg twice.csv --tolerance 1").error();
+    let says = "twice.csv: samples 1 and 3 are at the same place of the curve, near (-0.2, 0)";
+    assert!(error.contains(says), "{error}");
 }
 
 #[test]

@@ -102,24 +102,69 @@ fn counts_are_ordered_and_only_the_verified_one_is_beyond_the_bound() {
 #[test]
 fn a_condition_is_asked_for() {
     let folder = Folder::with("circle.svg", CIRCLE);
-    for (line, says) in [
-        ("sample circle.svg", "--rho <RHO>"),
-        (
-            "sample circle.svg --rho 0.9 --epsilon 0.4",
-            "cannot be used with",
-        ),
-        (
-            "sample circle.svg --rho 1.5",
-            "rho is 1.5: it must be above 0 and at most 1",
-        ),
-        (
-            "sample circle.svg --rho 0.9 --max-distance 0%",
-            "give a length above 0",
-        ),
+    let length = "give a length above 0";
+    let share = "give a share above 0 and at most 1";
+    let rho = |value| format!("rho is {value}: it must be above 0 and at most 1");
+    let epsilon = |value| format!("epsilon is {value}: it must lie strictly between 0 and 1");
+    for (options, says) in [
+        ("", "--rho <RHO>"),
+        ("--rho 0.9 --epsilon 0.4", "cannot be used with"),
+        ("--rho 1.5", &rho("1.5")),
+        ("--rho 0", &rho("0")),
+        ("--rho -0.5", &rho("-0.5")),
+        ("--rho NaN", &rho("NaN")),
+        ("--epsilon 1", &epsilon("1")),
+        ("--epsilon -1", &epsilon("-1")),
+        ("--epsilon inf", &epsilon("inf")),
+        ("--rho 0.9 --max-distance 0%", length),
+        ("--rho 0.9 --max-distance -1", length),
+        ("--rho 0.9 --max-distance NaN", length),
+        ("--rho 0.9 --gap 0", share),
+        ("--rho 0.9 --gap -1", share),
     ] {
-        let run = folder.run(line);
+        let run = folder.run(&format!("sample circle.svg {options}"));
         assert_eq!(run.status, Some(2));
         assert!(run.stderr.contains(says), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn too_many_samples_are_counted() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    let limit = "the Hausdorff limit is 1e-15, which asks for about 7";
+    for (options, says) in [
+        ("--rho 1e-8", "rho is 1e-8, which asks for about 31"),
+        (
+            "--epsilon 1e-8 --gap 0.02",
+            "epsilon is 1e-8, which asks for about 31",
+        ),
+        ("--rho 2e-6", "rho is 2e-6, which asks for about 15"),
+        ("--rho 0.9 --max-distance 1e-15", limit),
+    ] {
+        let error = folder.run(&format!("sample circle.svg {options}")).error();
+        let says = format!("error: circle.svg: {says}");
+        assert!(error.starts_with(&says), "{error}");
+        assert!(error.ends_with("take a larger one"), "{error}");
+    }
+}
+
+#[test]
+fn where_there_is_no_local_feature_size_is_said() {
+    let two = |x: f64| {
+        let other = format!("<circle cx='{x}' cy='2' r='1'/></svg>");
+        CIRCLE.replace("</svg>", &other)
+    };
+    let folder = Folder::with("crossing.svg", two(2.8));
+    folder.write("touching.svg", two(4.0));
+    let crossing = "error: crossing.svg: components 1 and 0 of the curve cross at (2.39";
+    let touching = "error: touching.svg: near (3, 2) the curve touches itself or another";
+    for (line, says) in [
+        ("crossing.svg", crossing),
+        ("crossing.svg --corners split", crossing),
+        ("touching.svg", touching),
+    ] {
+        let error = folder.run(&format!("sample {line} --rho 0.9")).error();
+        assert!(error.starts_with(says), "{error}");
     }
 }
 
