@@ -159,7 +159,7 @@ Example: samples over their curve, with the edges found from them and where they
   curvecrust draw --curve drawing.svg --points samples.csv --edges --violations -o picture.svg"
 )]
 pub(crate) struct Draw {
-    /// Smooth curves: an SVG document
+    /// Curves: an SVG document; with their medial axis or local feature size, smooth ones
     #[arg(long, value_name = "CURVE.svg")]
     pub(crate) curve: Option<PathBuf>,
     /// The medial axis of the curve

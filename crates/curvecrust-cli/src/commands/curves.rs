@@ -3,7 +3,7 @@
 use crate::args;
 use crate::console::Console;
 use crate::input::{self, Source};
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust::sampling::{Bound, Condition};
@@ -12,6 +12,16 @@ use std::path::Path;
 /// Reads the curves of a document.
 pub(super) fn read(path: &Path) -> anyhow::Result<Curve> {
     Curve::from_svg(&text(path)?).with_context(|| input::name(path))
+}
+
+/// The same, for a command that could split them: where corners are all that is wrong, it says how.
+pub(super) fn read_or_say_split(path: &Path) -> anyhow::Result<Curve> {
+    let text = text(path)?;
+    let read = Curve::from_svg(&text).map_err(|error| match SplitCurve::from_svg(&text) {
+        Ok(_) => anyhow!("{error}: pass --corners split"),
+        Err(_) => error.into(),
+    });
+    read.with_context(|| input::name(path))
 }
 
 /// Reads the curves of a document, split at their corners.

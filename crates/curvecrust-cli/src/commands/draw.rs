@@ -50,7 +50,12 @@ struct Drawn {
 
 impl Drawn {
     fn read(args: &args::Draw, path: &Path, console: &Console) -> anyhow::Result<Self> {
-        let curve = curves::read(path)?;
+        // A picture alone has nothing against corners.
+        let curve = if args.medial_axis || args.lfs {
+            curves::read(path)?
+        } else {
+            curves::read_split(path)?.pieces().clone()
+        };
         let settings = args::Curve {
             path: path.to_owned(),
             gap: None,

@@ -73,7 +73,7 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
     let output = Output::new(&args.output, args.json, FORMATS)?;
     let (curve, certified) = match args.corners {
         Corners::Refuse => {
-            let curve = curves::read(&args.curve.path)?;
+            let curve = curves::read_or_say_split(&args.curve.path)?;
             let condition = condition(args, &curve)?;
             let given = (args.curve.gap.is_some() || args.curve.per_segment.is_some())
                 .then(|| curves::measured(&args.curve, &curve, None, console))

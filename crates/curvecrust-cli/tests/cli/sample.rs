@@ -198,6 +198,10 @@ fn corners_are_refused_by_name_or_become_samples() {
     for corner in ["at (0, 0)", "at (30, 0)", "at (30, 20)", "at (0, 20)"] {
         assert!(refused.contains(corner), "{refused}");
     }
+    assert!(refused.ends_with("pass --corners split"), "{refused}");
+    folder.run("draw --curve badge.svg").fine();
+    let refused = folder.run("draw --curve badge.svg --lfs").error();
+    assert!(refused.contains("at (30, 20)"), "{refused}");
     let run = folder.run("sample badge.svg --rho 0.9 --corners split -o samples.json");
     assert!(
         run.stderr
