@@ -5,6 +5,8 @@
 mod cargo;
 mod fuzz;
 mod instructions;
+mod packages;
+mod rust_version;
 
 use crate::root::root;
 use crate::test;
@@ -59,6 +61,8 @@ enum Step {
 /// How a step went.
 pub(crate) enum Outcome {
     Passed,
+    /// By which of several ways.
+    PassedBy(String),
     /// What failed.
     Failed(String),
     /// What is absent.
@@ -96,6 +100,7 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
 fn line(step: Step, time: Duration, outcome: &Outcome) -> String {
     let note = match outcome {
         Outcome::Passed => String::new(),
+        Outcome::PassedBy(what) => format!("  by {what}"),
         Outcome::Failed(_) => "  failed".to_owned(),
         Outcome::Skipped(why) => format!("  skipped: {why}"),
     };
@@ -123,11 +128,9 @@ impl Step {
             Self::Tests => test::tests().outcome(),
             Self::Doctests => test::DOCTESTS.outcome(),
             Self::Docs => test::DOCS.outcome(),
-            Self::Features => cargo::each_feature_alone(),
-            Self::RustVersion => cargo::oldest_rust(),
-            Self::Package => cargo(
-                "package --workspace --exclude xtask --exclude curvecrust-benches --allow-dirty",
-            ),
+            Self::Features => packages::each_feature_alone(),
+            Self::RustVersion => rust_version::run(),
+            Self::Package => packages::publishable(),
             Self::Deny if !has("deny") => Ok(Outcome::Skipped("no cargo-deny".to_owned())),
             Self::Deny => cargo("deny check licenses bans sources"),
             Self::Adversarial => cargo("test -p curvecrust --test adversarial"),

@@ -131,3 +131,29 @@ impl Reconstructor for BetaSkeleton {
         beta_skeleton(points, self.beta)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use curvecrust_geometry::DVec2;
+
+    #[test]
+    fn a_parameter_is_what_was_given() {
+        for beta in [1.0, 1.7, 1e300] {
+            assert_eq!(Beta::new(beta).map(Beta::get), Ok(beta));
+        }
+    }
+
+    /// The side of 4 is seen under an angle of cotangent 3/4, which belongs to beta = 5/4.
+    #[test]
+    fn a_point_on_the_boundary_of_a_disc_removes_the_edge() {
+        let corner = [(0.0, 0.0), (3.0, 0.0), (3.0, 4.0)];
+        let points = PointSet::new(corner.map(DVec2::from).to_vec()).unwrap();
+        let joined = |beta| {
+            let edges = beta_skeleton(&points, Beta::new(beta).unwrap());
+            edges.edges().iter().any(|e| e.a().index() == 1)
+        };
+        assert!(joined(1.25_f64.next_down()));
+        assert!(!joined(1.25));
+    }
+}

@@ -56,7 +56,7 @@ fn parts(x: f64) -> (i64, i32) {
     // Subnormal numbers lack the leading bit.
     let (mantissa, exponent) = match biased {
         0 => (fraction, -1074),
-        _ => (fraction | 1 << 52, biased - 1075),
+        _ => (fraction + (1 << 52), biased - 1075),
     };
     let zeros = mantissa.trailing_zeros() % 64;
     let odd = mantissa >> zeros;
@@ -110,5 +110,20 @@ mod tests {
         }
         assert_eq!(integers([DVec2::new(6.0, -4.0)]).1, 1);
         assert_eq!(integers([DVec2::ZERO]), ([[0.into(), 0.into()]], 0));
+    }
+
+    #[test]
+    fn small_integers_are_seen_from_the_first_point() {
+        for unit in [1.0, 2f64.powi(-40), 2f64.powi(100)] {
+            let from = DVec2::new(1e6, -7.0);
+            let to = [DVec2::new(262_143.0, -3.0), DVec2::new(1.0, -262_143.0)];
+            let points = [from, from + to[0], from + to[1]].map(|p| p * unit);
+            let expected = [[0, 0], [262_143, -3], [1, -262_143]];
+            assert_eq!(small_integers(points), Some(expected));
+        }
+        for far in [262_144.0, -262_144.0, 1e300] {
+            let points = [DVec2::ONE, DVec2::new(3.0, 1.0 + far)];
+            assert_eq!(small_integers(points), None, "{far}");
+        }
     }
 }

@@ -1,12 +1,13 @@
 //! The fuzz targets, built with plain cargo on a stable toolchain, and run for a while.
 
 use super::Outcome;
-use super::cargo::outcome;
+use super::cargo::{outcome, succeeds};
 use crate::root::root;
 use crate::test;
 use anyhow::Context;
-use std::fs;
+use std::path::Path;
 use std::process::Command;
+use std::{env, fs};
 
 /// Seconds for each target.
 const SECONDS: u32 = 30;
@@ -21,6 +22,12 @@ const FLAGS: &str = "--cfg fuzzing -Cpasses=sancov-module \
 
 /// Builds all targets and runs each, from the corpus that is there.
 pub(super) fn run() -> anyhow::Result<Outcome> {
+    // LibFuzzer is built from its sources.
+    let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
+    if !succeeds(Command::new(&compiler).arg("--version")) {
+        let compiler = compiler.to_string_lossy();
+        return Ok(Outcome::Skipped(format!("no C++ compiler {compiler}")));
+    }
     let workspace = root().join("fuzz");
     let host = host()?;
     let mut build = test::cargo();
@@ -31,34 +38,43 @@ pub(super) fn run() -> anyhow::Result<Outcome> {
     if !matches!(built, Outcome::Passed) {
         return Ok(built);
     }
+    let programs = workspace.join("target").join(&host).join("release");
     for target in targets()? {
         eprintln!("   {target}, {SECONDS} s");
-        let corpus = workspace.join("corpus").join(&target);
-        let artifacts = workspace.join("artifacts").join(&target);
-        fs::create_dir_all(&corpus)?;
-        fs::create_dir_all(&artifacts)?;
-        let program = workspace
-            .join("target")
-            .join(&host)
-            .join("release")
-            .join(&target);
-        let mut command = Command::new(program);
-        command.arg(&corpus);
-        command.arg(format!("-max_total_time={SECONDS}"));
-        command.arg(format!("-artifact_prefix={}/", artifacts.display()));
-        command.args(["-print_final_stats=1", "-verbosity=0", "-timeout=300"]);
-        let dictionary = workspace
-            .join("dictionaries")
-            .join(format!("{target}.dict"));
-        if dictionary.is_file() {
-            command.arg(format!("-dict={}", dictionary.display()));
-        }
-        let ran = outcome(command, &format!("fuzz target {target}"))?;
-        if !matches!(ran, Outcome::Passed) {
-            return Ok(ran);
+        let program = programs.join(&target);
+        if let Some(find) = fuzz(&workspace, &program, &target)? {
+            eprintln!("{find}");
+            return Ok(Outcome::Failed(format!("fuzz target {target}")));
         }
     }
     Ok(Outcome::Passed)
+}
+
+/// Runs a target for a while: what it says if it finds something, shown in short if not.
+fn fuzz(workspace: &Path, program: &Path, target: &str) -> anyhow::Result<Option<String>> {
+    let corpus = workspace.join("corpus").join(target);
+    let artifacts = workspace.join("artifacts").join(target);
+    fs::create_dir_all(&corpus)?;
+    fs::create_dir_all(&artifacts)?;
+    let mut command = Command::new(program);
+    command.arg(&corpus);
+    command.arg(format!("-max_total_time={SECONDS}"));
+    command.arg(format!("-artifact_prefix={}/", artifacts.display()));
+    command.args(["-print_final_stats=1", "-timeout=300"]);
+    let dictionary = format!("dictionaries/{target}.dict");
+    let dictionary = workspace.join(dictionary);
+    if dictionary.is_file() {
+        command.arg(format!("-dict={}", dictionary.display()));
+    }
+    let output = command.output();
+    let output = output.with_context(|| format!("cannot start {}", program.display()))?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Ok(Some(said.into_owned()));
+    }
+    let done = said.lines().rfind(|line| line.contains("DONE"));
+    eprintln!("   {}", done.unwrap_or_default().trim());
+    Ok(None)
 }
 
 /// The names of the targets, which are those of their files.

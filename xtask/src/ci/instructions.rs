@@ -35,39 +35,30 @@ pub(super) fn run(renew: bool) -> anyhow::Result<Outcome> {
             "counts are those of x86-64 Linux".to_owned(),
         ));
     }
-    build()?;
     let path = root().join("benches/instructions.toml");
     let rustc = rustc()?;
-    let mut millions = BTreeMap::new();
-    for &kernel in KERNELS {
-        // What start and input cost is in both.
-        let [once, twice] = [count(kernel, 1)?, count(kernel, 2)?];
-        millions.insert(kernel.to_owned(), (twice - once) / 1e6);
-    }
     if renew {
+        let millions = count_all()?;
         let text = toml::to_string(&Baseline { rustc, millions })?;
         let head = "# Made by `cargo xtask ci instructions --renew-instructions`.\n";
         write_whole(&path, format!("{head}{text}"))?;
         return Ok(Outcome::Passed);
     }
-    let Ok(baseline) = std::fs::read_to_string(&path) else {
-        let why = "no baseline: cargo xtask ci instructions --renew-instructions writes it";
-        return Ok(Outcome::Skipped(why.to_owned()));
-    };
-    let baseline: Baseline = toml::from_str(&baseline)?;
+    let baseline = std::fs::read_to_string(&path);
+    let baseline: Baseline = toml::from_str(&baseline.context("no baseline")?)?;
+    if baseline.rustc != rustc {
+        let why = format!("the baseline is of {}, not of {rustc}", baseline.rustc);
+        return Ok(Outcome::Skipped(why));
+    }
     let mut beyond = Vec::new();
-    for (kernel, found) in &millions {
-        let before = baseline.millions.get(kernel);
+    for (kernel, found) in count_all()? {
+        let before = baseline.millions.get(&kernel);
         let before = *before.with_context(|| format!("no baseline of {kernel}"))?;
         let change = found / before - 1.0;
         println!("{kernel:>12} {found:9.2} million, {:+.2} %", 100.0 * change);
         if change.abs() > TOLERANCE {
-            beyond.push(kernel.as_str());
+            beyond.push(kernel);
         }
-    }
-    if baseline.rustc != rustc {
-        let why = format!("the baseline is of {}, not of {rustc}", baseline.rustc);
-        return Ok(Outcome::Skipped(why));
     }
     Ok(if beyond.is_empty() {
         Outcome::Passed
@@ -77,6 +68,18 @@ pub(super) fn run(renew: bool) -> anyhow::Result<Outcome> {
             "instructions of {which} are not within 3 % of the baseline (--renew-instructions)"
         ))
     })
+}
+
+/// Builds the kernels and counts each.
+fn count_all() -> anyhow::Result<BTreeMap<String, f64>> {
+    build()?;
+    let mut millions = BTreeMap::new();
+    for &kernel in KERNELS {
+        // What start and input cost is in both.
+        let [once, twice] = [count(kernel, 1)?, count(kernel, 2)?];
+        millions.insert(kernel.to_owned(), (twice - once) / 1e6);
+    }
+    Ok(millions)
 }
 
 /// Without dispatch: every processor is counted alike.
