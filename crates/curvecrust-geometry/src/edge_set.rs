@@ -69,11 +69,11 @@ impl EdgeSet {
     #[must_use]
     pub fn new(vertex_count: usize, edges: impl IntoIterator<Item = Edge>) -> Self {
         let mut edges: Vec<Edge> = edges.into_iter().collect();
-        if !edges.is_sorted() {
+        if !edges.is_sorted_by(|e, f| e < f) {
             edges.sort_unstable();
+            edges.dedup();
         }
-        edges.dedup();
-        let used = edges.iter().map(|e| e.b.index() + 1).max().unwrap_or(0);
+        let used = edges.iter().map(|e| e.b).max().map_or(0, |b| b.index() + 1);
         Self {
             vertex_count: vertex_count.max(used),
             edges,

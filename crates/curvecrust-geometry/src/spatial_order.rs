@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use rayon::prelude::*;
+use rdst::{RadixKey, RadixSort};
 
 use crate::hilbert;
 use crate::point_set::{PointId, PointSet, by_coordinates};
@@ -19,8 +20,9 @@ const TASK: usize = 1 << 14;
 /// one otherwise by coordinates. So the order depends on the coordinates alone, not on that of the
 /// points nor on the number of threads, and not on a scale by a power of two or an exact shift.
 ///
-/// Cost: O(n log n), that of sorting numbers of 64 bits. Every grid separates the two extreme points
-/// of its cell and is 2^16 times as fine as the last; the range of coordinates bounds the depth to 25.
+/// Cost: O(n), that of a radix sort of numbers of 64 bits by their upper halves. Every grid separates
+/// the two extreme points of its cell and is 2^16 times as fine as the last; the range of coordinates
+/// bounds the depth to 25.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet, hilbert_order};
@@ -34,11 +36,19 @@ const TASK: usize = 1 << 14;
 /// ```
 #[must_use]
 pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
-    let mut packed: Vec<u64> = points.ids().map(|id| u64::from(u32::from(id))).collect();
-    sort(points.points(), &mut packed);
-    packed
+    let points = points.points();
+    let grid = Grid::over(points.iter().copied());
+    #[expect(clippy::cast_possible_truncation, reason = "a point set bounds it")]
+    let count = points.len() as u32;
+    let mut keyed: Vec<Keyed> = (0..count)
+        .into_par_iter()
+        .with_min_len(TASK)
+        .map(|index| grid.keyed(points, index))
+        .collect();
+    sort(points, &mut keyed);
+    keyed
         .into_iter()
-        .map(|p| PointId::from(index(p)))
+        .map(|k| PointId::from(k.index()))
         .collect()
 }
 
@@ -60,47 +70,49 @@ pub fn in_hilbert_order(points: &PointSet) -> (PointSet, Vec<PointId>) {
     (PointSet::reordered(reordered), ids)
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "the low half is the index")]
-fn index(packed: u64) -> u32 {
-    packed as u32
+/// The key of a point (the high half) and its index.
+#[derive(Clone, Copy)]
+struct Keyed(u64);
+
+impl Keyed {
+    #[expect(clippy::cast_possible_truncation, reason = "the low half")]
+    fn index(self) -> u32 {
+        self.0 as u32
+    }
+
+    fn has_key_of(&self, other: &Self) -> bool {
+        self.0 >> 32 == other.0 >> 32
+    }
 }
 
-/// Sorts indices (the low halves) by the keys of their points, which fill the high halves.
-fn sort(points: &[DVec2], packed: &mut [u64]) {
-    let grid = Grid::over(points, packed);
-    let fill = |p: &mut u64| {
-        let index = index(*p);
-        *p = u64::from(grid.key(points[index as usize])) << 32 | u64::from(index);
-    };
-    if packed.len() < TASK {
-        packed.iter_mut().for_each(fill);
-    } else {
-        packed.par_iter_mut().with_min_len(TASK).for_each(fill);
+impl RadixKey for Keyed {
+    /// Only the key is sorted by.
+    const LEVELS: usize = 4;
+
+    #[inline(always)]
+    fn get_level(&self, level: usize) -> u8 {
+        self.0.to_le_bytes()[4 + level]
     }
-    sort_unstable(packed, rayon::current_num_threads());
-    for crowd in packed.chunk_by_mut(|a, b| a >> 32 == b >> 32) {
+}
+
+/// Sorts points by their keys.
+fn sort(points: &[DVec2], keyed: &mut [Keyed]) {
+    let sorter = keyed.radix_sort_builder().with_low_mem_tuner();
+    sorter
+        .with_parallel(rayon::current_num_threads() > 1)
+        .sort();
+    for crowd in keyed.chunk_by_mut(Keyed::has_key_of) {
+        let at = |k: &Keyed| points[k.index() as usize];
         if crowd.len() > CROWD {
+            let grid = Grid::over(crowd.iter().map(at));
+            for k in &mut *crowd {
+                *k = grid.keyed(points, k.index());
+            }
             sort(points, crowd);
         } else if crowd.len() > 1 {
-            let at = |p: &u64| points[index(*p) as usize];
-            crowd.sort_unstable_by(|p, q| by_coordinates(at(p), at(q)));
+            crowd.sort_unstable_by(|j, k| by_coordinates(at(j), at(k)));
         }
     }
-}
-
-/// Sorts distinct numbers, on up to `threads` threads.
-fn sort_unstable(numbers: &mut [u64], threads: usize) {
-    if threads < 2 || numbers.len() < TASK {
-        numbers.sort_unstable();
-        return;
-    }
-    let half = threads / 2;
-    let middle = numbers.len() / threads * half;
-    let (low, _, high) = numbers.select_nth_unstable(middle);
-    rayon::join(
-        || sort_unstable(low, half),
-        || sort_unstable(high, threads - half),
-    );
 }
 
 /// A grid over the bounding box of some points.
@@ -110,13 +122,10 @@ struct Grid {
 }
 
 impl Grid {
-    fn over(points: &[DVec2], packed: &[u64]) -> Self {
-        let (low, high) = packed
-            .iter()
-            .map(|&p| points[index(p) as usize])
-            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
-                (low.min(p), high.max(p))
-            });
+    fn over(points: impl Iterator<Item = DVec2>) -> Self {
+        let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
+            (low.min(p), high.max(p))
+        });
         let extent = (high - low).max_element();
         let scale = if extent > 0.0 {
             (hilbert::SIDE - 0.5) / extent
@@ -132,9 +141,10 @@ impl Grid {
         reason = "between 0 and SIDE"
     )]
     #[inline(always)]
-    fn key(&self, p: DVec2) -> u32 {
-        let cell = (p - self.low) * self.scale;
-        hilbert::key(cell.x as u32, cell.y as u32)
+    fn keyed(&self, points: &[DVec2], index: u32) -> Keyed {
+        let cell = (points[index as usize] - self.low) * self.scale;
+        let key = hilbert::key(cell.x as u32, cell.y as u32);
+        Keyed(u64::from(key) << 32 | u64::from(index))
     }
 }
 
@@ -180,17 +190,24 @@ mod tests {
     #[test]
     fn threads_do_not_matter() {
         let mut state = 1u64;
-        let mut numbers: Vec<u64> = (0..100_000)
-            .map(|i| {
-                state = state
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1);
-                state >> 40 << 20 | i
-            })
-            .collect();
-        let mut one = numbers.clone();
-        sort_unstable(&mut one, 1);
-        sort_unstable(&mut numbers, 5);
-        assert_eq!(one, numbers);
+        let mut unit = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            f64::from((state >> 40) as u32)
+        };
+        // Half of the points in one cell of the first grid.
+        let points = (0..300_000).map(|i| {
+            let scale = if i % 2 == 0 { 1.0 } else { 1e-6 };
+            DVec2::new(unit(), unit()) * scale
+        });
+        let points = PointSet::merging_duplicates(points.collect())
+            .unwrap()
+            .points;
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            pool.build().unwrap().install(|| hilbert_order(&points))
+        };
+        assert_eq!(on(1), on(5));
     }
 }

@@ -21,25 +21,31 @@ pub(super) struct Candidates {
     len: usize,
 }
 
-/// The closest candidates of some points.
-pub(super) struct Closest {
-    /// The squared distance of the closest.
-    pub(super) squared: [f64; LANES],
-    /// That of the next; the same if there is a tie.
-    pub(super) second: [f64; LANES],
-    /// The index of the closest, a number below [`ROOM`]; as a double, so that all vectors have
-    /// the same shape.
-    index: [f64; LANES],
+/// The bits of a [`key`] that name a candidate.
+const INDEX: u64 = ROOM as u64 - 1;
+
+/// A squared distance whose last bits are replaced by the index of its candidate: the least of such
+/// keys tells both.
+#[inline(always)]
+fn key(squared: f64, index: u64) -> f64 {
+    f64::from_bits(squared.to_bits() & !INDEX | index)
 }
 
-/// Some points s, and what makes a candidate q wanted: (q - s) . normal is at most the limit.
-#[derive(Default)]
-pub(super) struct Wanted {
-    pub(super) x: [f64; LANES],
-    pub(super) y: [f64; LANES],
-    pub(super) normal_x: [f64; LANES],
-    pub(super) normal_y: [f64; LANES],
-    pub(super) limit: [f64; LANES],
+/// Whether the distance behind one key is certainly less than that behind another; false for an
+/// infinite one.
+#[inline(always)]
+pub(super) fn is_closer(key: f64, than: f64) -> bool {
+    f64::from_bits(key.to_bits() | INDEX) < than
+}
+
+#[inline(always)]
+fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn max(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
 }
 
 impl Candidates {
@@ -68,71 +74,98 @@ impl Candidates {
         Some(())
     }
 
-    /// The closest candidates of some points; wanted or not, if `HALF` is false. A point is no
-    /// candidate for itself.
-    ///
-    /// The limit is exceeded by what rounding may add to a candidate no closer than the nearest
-    /// neighbour: the closest wanted one is never missed, and must be verified.
-    #[inline(always)]
-    pub(super) fn closest<const HALF: bool>(&self, to: &Wanted) -> Closest {
-        let mut squared = [f64::INFINITY; LANES];
-        let mut second = [f64::INFINITY; LANES];
-        let mut index = [0.0; LANES];
-        let mut i = 0.0;
-        let len = self.len.min(ROOM);
-        for (&x, &y) in self.x[..len].iter().zip(&self.y[..len]) {
-            for l in 0..LANES {
-                let (a_x, a_y) = (x - to.x[l], y - to.y[l]);
-                let d = a_x * a_x + a_y * a_y;
-                let mut wanted = d > 0.0;
-                if HALF {
-                    let along = a_x * to.normal_x[l] + a_y * to.normal_y[l];
-                    wanted &= along <= to.limit[l] + 2.0 * ERROR * d;
-                }
-                let d = if wanted { d } else { f64::INFINITY };
-                let larger = if d > squared[l] { d } else { squared[l] };
-                second[l] = if larger < second[l] {
-                    larger
-                } else {
-                    second[l]
-                };
-                index[l] = if d < squared[l] { i } else { index[l] };
-                squared[l] = if d < squared[l] { d } else { squared[l] };
-            }
-            i += 1.0;
-        }
-        Closest {
-            squared,
-            second,
-            index,
+    /// Ends the list: what follows is neither near nor inside of anything.
+    pub(super) fn finish(&mut self) {
+        for (x, y) in self
+            .x
+            .iter_mut()
+            .zip(&mut self.y)
+            .skip(self.len)
+            .take(LANES)
+        {
+            (*x, *y) = (f64::NAN, f64::NAN);
         }
     }
 
-    /// The closest candidate of one of the points.
+    /// The keys of the three closest candidates of each of some points, infinite where there are not
+    /// so many. A point is no candidate for itself.
     #[inline(always)]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "an index below ROOM"
-    )]
-    pub(super) fn best(&self, closest: &Closest, lane: usize) -> Best {
-        let squared = closest.squared[lane];
-        let index = closest.index[lane] as usize % ROOM;
-        if squared < f64::INFINITY {
-            Best {
-                squared,
-                point: DVec2::new(self.x[index], self.y[index]),
-                at: self.at[index],
+    pub(super) fn closest(&self, to_x: &[f64; LANES], to_y: &[f64; LANES]) -> [[f64; LANES]; 3] {
+        let [mut first, mut second, mut third] = [[f64::INFINITY; LANES]; 3];
+        let len = self.len.min(ROOM);
+        for (index, (&x, &y)) in (0u64..).zip(self.x[..len].iter().zip(&self.y[..len])) {
+            for l in 0..LANES {
+                let (a_x, a_y) = (x - to_x[l], y - to_y[l]);
+                let d = a_x * a_x + a_y * a_y;
+                let key = if d > 0.0 {
+                    key(d, index)
+                } else {
+                    f64::INFINITY
+                };
+                let not_first = max(first[l], key);
+                first[l] = min(first[l], key);
+                let not_second = max(second[l], not_first);
+                second[l] = min(second[l], not_first);
+                third[l] = min(third[l], not_second);
             }
-        } else {
-            Best::NONE
         }
+        [first, second, third]
+    }
+
+    /// The keys of the two closest candidates of a point s in a half-plane.
+    ///
+    /// The half-plane is taken a little larger, by what rounding may add to a candidate no closer
+    /// than the nearest neighbour: none is missed, and what is found must be verified.
+    #[inline(always)]
+    fn closest_inside(&self, s: DVec2, plane: &HalfPlane) -> [f64; 2] {
+        let [mut first, mut second] = [[f64::INFINITY; LANES]; 2];
+        let (x, _) = self.x.as_chunks::<LANES>();
+        let (y, _) = self.y.as_chunks::<LANES>();
+        let chunks = x.iter().zip(y).take(self.len.div_ceil(LANES));
+        for (start, (x, y)) in (0u64..).step_by(LANES).zip(chunks) {
+            for l in 0..LANES {
+                let (a_x, a_y) = (x[l] - s.x, y[l] - s.y);
+                let d = a_x * a_x + a_y * a_y;
+                let along = a_x * plane.normal.x + a_y * plane.normal.y;
+                let mut wanted = d > 0.0;
+                wanted &= along <= plane.threshold + 2.0 * ERROR * d;
+                let key = if wanted { key(d, start) } else { f64::INFINITY };
+                second[l] = min(second[l], max(first[l], key));
+                first[l] = min(first[l], key);
+            }
+        }
+        for l in 1..LANES {
+            // The start of a chunk has no bits where the lane does.
+            let key = if first[l] < f64::INFINITY {
+                f64::from_bits(first[l].to_bits() | l as u64)
+            } else {
+                f64::INFINITY
+            };
+            second[0] = min(min(second[0], second[l]), max(first[0], key));
+            first[0] = min(first[0], key);
+        }
+        [first[0], second[0]]
+    }
+
+    /// The candidate of a finite key.
+    #[inline(always)]
+    pub(super) fn of_key(&self, key: f64) -> (DVec2, u32) {
+        let index = (key.to_bits() & INDEX) as usize;
+        (DVec2::new(self.x[index], self.y[index]), self.at[index])
     }
 
     /// The closest candidate other than `s` in the half-plane, or at all without one; ties and
     /// signs are decided exactly.
     #[inline(always)]
     pub(super) fn search(&self, s: DVec2, plane: Option<&HalfPlane>) -> Best {
+        if let Some(plane) = plane {
+            let [first, second] = self.closest_inside(s, plane);
+            let (point, at) = self.of_key(first);
+            if is_closer(first, second) && plane.contains(point) {
+                let squared = (point - s).length_squared();
+                return Best { squared, point, at };
+            }
+        }
         let len = self.len.min(ROOM);
         let mut best = Best::NONE;
         for ((&x, &y), &at) in self.x[..len].iter().zip(&self.y).zip(&self.at) {

@@ -19,32 +19,49 @@ const TASK: usize = 1 << 12;
 /// gives the edges ascending, without a sort but for those that only the larger end chose.
 pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
     let count = order.len();
-    let empty = || AtomicU64::new(pair([NONE; 2]));
+    let empty = || AtomicU64::new(0);
     let slots: Vec<AtomicU64> = (0..count).into_par_iter().map(|_| empty()).collect();
-    let to_smaller: Vec<Edge> = order
-        .par_iter()
-        .enumerate()
-        .with_min_len(TASK)
-        .flat_map_iter(|(at, &s)| {
+    let points = order.par_iter().enumerate().with_min_len(TASK);
+    points.for_each(|(at, &s)| {
+        let reported = reported(order, chosen, at, keep);
+        // Every point has its own slot, written once.
+        let larger = reported.map(|id| if id > s { id } else { NONE });
+        slots[s as usize].store(pair(larger), Ordering::Relaxed);
+    });
+    let mut edges = ascending(&slots);
+    if keep == Keep::Union {
+        let points = order.iter().enumerate();
+        edges.extend(points.flat_map(|(at, &s)| {
             let reported = reported(order, chosen, at, keep);
-            // Every point has its own slot, written once.
-            let larger = reported.map(|id| if id > s { id } else { NONE });
-            slots[s as usize].store(pair(larger), Ordering::Relaxed);
             let smaller = reported.into_iter().filter(move |&id| id < s);
-            smaller.filter_map(move |id| edge(s, id))
-        })
-        .collect();
-    let mut edges = Vec::with_capacity(count + to_smaller.len());
-    for (s, slot) in (0u32..).zip(slots) {
-        let larger = parts(slot.into_inner());
-        edges.extend(larger.into_iter().filter_map(|id| edge(s, id)));
-    }
-    if !to_smaller.is_empty() {
-        edges.extend(to_smaller);
+            smaller.filter_map(move |id| Edge::new(s.into(), id.into()))
+        }));
         // A stable sort takes the sorted part as it is.
         edges.sort();
     }
     EdgeSet::new(count, edges)
+}
+
+/// The edges of all slots.
+///
+/// Whether a slot holds none, one or two is as good as random: they are compacted without a branch.
+fn ascending(slots: &[AtomicU64]) -> Vec<Edge> {
+    let mut edges = Vec::with_capacity(slots.len());
+    let mut ends = [[0; 2]; 2 * TASK];
+    let mut s = 0;
+    for slots in slots.chunks(TASK) {
+        let mut len = 0;
+        for slot in slots {
+            for id in parts(slot.load(Ordering::Relaxed)) {
+                ends[len % (2 * TASK)] = [s, id];
+                len += usize::from(id != NONE);
+            }
+            s += 1;
+        }
+        let found = ends[..len].iter();
+        edges.extend(found.filter_map(|&[s, id]| Edge::new(s.into(), id.into())));
+    }
+    edges
 }
 
 /// The ids to which the point at a position reports an edge, or [`NONE`].
@@ -56,7 +73,8 @@ fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2]
         let Some(&id) = order.get(q as usize) else {
             return NONE;
         };
-        let returned = chosen[q as usize].iter().any(|&back| back as usize == at);
+        let [nearest, half] = chosen[q as usize];
+        let returned = (nearest as usize == at) | (half as usize == at);
         let is_reported = if returned {
             order[at] < id
         } else {
@@ -64,10 +82,6 @@ fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2]
         };
         if is_reported { id } else { NONE }
     })
-}
-
-fn edge(s: u32, id: u32) -> Option<Edge> {
-    Edge::new(s.into(), id.into()).filter(|_| id != NONE)
 }
 
 /// Two numbers in one, the smaller first.

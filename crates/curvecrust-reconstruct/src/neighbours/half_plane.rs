@@ -38,12 +38,27 @@ impl HalfPlane {
         }
     }
 
-    /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
+    /// How far `q` lies beyond the boundary, rounded, and a bound on the error.
     #[inline(always)]
-    pub(super) fn contains(&self, q: DVec2) -> bool {
+    fn excess(&self, q: DVec2) -> [f64; 2] {
         let products = (q - self.s) * self.normal;
         let excess = products.element_sum() - self.threshold;
         let error = ERROR * (products.abs().element_sum() + self.threshold);
+        [excess, error]
+    }
+
+    /// Whether `q` lies in the half-plane, and not so close to its boundary that it takes more than
+    /// floating point to see it.
+    #[inline(always)]
+    pub(super) fn certainly_contains(&self, q: DVec2) -> bool {
+        let [excess, error] = self.excess(q);
+        excess < -error
+    }
+
+    /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
+    #[inline(always)]
+    pub(super) fn contains(&self, q: DVec2) -> bool {
+        let [excess, error] = self.excess(q);
         if excess.abs() > error {
             excess < 0.0
         } else {

@@ -8,8 +8,8 @@
 use curvecrust_geometry::DVec2;
 
 use super::HalfRule;
-use super::candidates::{Candidates, Closest, LANES, Wanted};
-use super::half_plane::{HalfPlane, threshold};
+use super::candidates::{Candidates, LANES, is_closer};
+use super::half_plane::HalfPlane;
 use super::lanes::{WIDTH, bits, sum};
 use super::search::{Best, NONE};
 use super::tree::{Leaf, Rect, Room, Tree};
@@ -94,44 +94,58 @@ impl Kernel<'_> {
             let leaf = self.tree.leaf(index);
             self.candidates.add(leaf, index, rect)?;
         }
+        self.candidates.finish();
         Some(())
     }
 
     /// The choices of the points from slot `first` on, given the points in a rectangle around.
+    ///
+    /// The second closest point is the half neighbour if it lies in the half-plane, as nearly always
+    /// on a curve.
     #[inline(always)]
     fn choose_lanes(&self, leaf: &Leaf, first: usize, rect: Rect, choices: &mut [Choice]) {
-        let mut wanted = Wanted {
-            x: std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]),
-            y: std::array::from_fn(|l| leaf.y[(first + l) % WIDTH]),
-            ..Wanted::default()
-        };
-        let nearest = self.candidates.closest::<false>(&wanted);
-        for l in 0..LANES {
-            let n0 = self.candidates.best(&nearest, l).point;
-            wanted.normal_x[l] = n0.x - wanted.x[l];
-            wanted.normal_y[l] = n0.y - wanted.y[l];
-            wanted.limit[l] = threshold(self.rule, nearest.squared[l]);
-        }
-        let half = self.candidates.closest::<true>(&wanted);
+        let x: [f64; LANES] = std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]);
+        let y: [f64; LANES] = std::array::from_fn(|l| leaf.y[(first + l) % WIDTH]);
+        let [nearest, second, third] = self.candidates.closest(&x, &y);
+        let n0 = nearest.map(|key| self.candidates.of_key(key));
+        let h = second.map(|key| self.candidates.of_key(key));
+        let is_certain: [bool; LANES] = std::array::from_fn(|l| {
+            let s = DVec2::new(x[l], y[l]);
+            let (a, side) = (h[l].0 - s, side(s, rect));
+            let plane = HalfPlane::new(self.rule, s, n0[l].0);
+            is_closer(nearest[l], second[l])
+                & is_closer(second[l], third[l])
+                & (a.length_squared() < side * side)
+                & plane.certainly_contains(h[l].0)
+        });
         for (l, choice) in choices.iter_mut().enumerate().take(LANES) {
-            let s = leaf.point(first + l);
-            // As rounding is monotonic, no point outside the rectangle is computed to be closer.
-            let side = (s - rect.low).min(rect.high - s).min_element();
-            let certain = |c: &Closest| c.squared[l] < side * side && c.squared[l] < c.second[l];
-            let mut n0 = self.candidates.best(&nearest, l);
-            if !certain(&nearest) {
-                n0 = self.search(s, None, side * side);
-            }
-            if n0.at == NONE {
-                continue;
-            }
-            let plane = HalfPlane::new(self.rule, s, n0.point);
-            let mut h = self.candidates.best(&half, l);
-            if !(certain(&nearest) && certain(&half) && plane.contains(h.point)) {
-                h = self.search(s, Some(plane), side * side);
-            }
-            *choice = [n0.at, h.at];
+            *choice = if is_certain[l] {
+                [n0[l].1, h[l].1]
+            } else {
+                let s = DVec2::new(x[l], y[l]);
+                self.choose_one(
+                    s,
+                    side(s, rect),
+                    is_closer(nearest[l], second[l]).then_some(n0[l]),
+                )
+            };
         }
+    }
+
+    /// The choice of a point, given its distance from what is no candidate, and the closest candidate
+    /// if there is no other at that distance.
+    #[inline(always)]
+    fn choose_one(&self, s: DVec2, side: f64, closest: Option<(DVec2, u32)>) -> Choice {
+        let certain = closest.filter(|(n0, _)| (n0 - s).length_squared() < side * side);
+        let (n0, at) = certain.unwrap_or_else(|| {
+            let best = self.search(s, None, side * side);
+            (best.point, best.at)
+        });
+        if at == NONE {
+            return [NONE; 2];
+        }
+        let plane = HalfPlane::new(self.rule, s, n0);
+        [at, self.search(s, Some(plane), side * side).at]
     }
 
     /// The closest point, among the candidates if one is closer than all other points.
@@ -144,6 +158,14 @@ impl Kernel<'_> {
             self.tree.closest(s, plane, best)
         }
     }
+}
+
+/// How far a point in a rectangle is from its boundary.
+///
+/// As rounding is monotonic, no point outside the rectangle is computed to be closer.
+#[inline(always)]
+fn side(s: DVec2, rect: Rect) -> f64 {
+    (s - rect.low).min(rect.high - s).min_element()
 }
 
 /// The squared distance from each point of a leaf to the one before, infinite where there is none.
