@@ -83,7 +83,8 @@ impl<'a> Pencil<'a> {
         let sine = self.across.perp_dot(direction);
         let cosine = size * direction.length_squared() - direction.dot(self.across);
         let sine_error = width * (16.0 * U + error);
-        let cosine_error = (16.0 * U + error) * 4.0 * (size + width) + error * error * size;
+        // An error of 1 or more, whose square would count, passes no test of the sine.
+        let cosine_error = (16.0 * U + error) * 4.0 * (size + width);
         // Not so if anything is infinite or NaN, too.
         if sine.abs() > 2.0 * sine_error {
             let cotangent = cosine / sine;
@@ -185,4 +186,98 @@ impl<'a> Cut<'a> {
 struct Cotangent {
     cosine: BigInt,
     sine: BigInt,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::ToPrimitive;
+
+    /// Two ends, and where a vertex at (7, -3) is as seen from them.
+    const ENDS: [([f64; 2], [f64; 2]); 6] = [
+        ([1.0, 2.0], [4.0, -9.0]),
+        ([4.0, -9.0], [1.0, 2.0]),
+        ([8.0, -1.0], [9.0, 30.0]),
+        ([-1.0, -3.0], [3.0, 5.0]),
+        // On the line through the ends: between them, and not.
+        ([5.0, -4.0], [11.0, -1.0]),
+        ([9.0, -2.0], [11.0, -1.0]),
+    ];
+
+    /// The ends, and a triangle around a vertex that is known, by points of the grid at distance 65.
+    fn planted(ends: ([f64; 2], [f64; 2]), scale: f64) -> PointSet {
+        let corners = [[70.0, 13.0], [-9.0, 60.0], [-26.0, -59.0]];
+        let all = [ends.0, ends.1].into_iter().chain(corners);
+        PointSet::new(all.map(|p| DVec2::from(p) * scale).collect()).unwrap()
+    }
+
+    fn ids<const N: usize>(ids: [u32; N]) -> [PointId; N] {
+        ids.map(PointId::from)
+    }
+
+    /// Multiples of 10007 are beyond the reach of 128 bits.
+    #[test]
+    fn a_planted_vertex_cuts_where_it_is() {
+        for (ends, scale) in ENDS.into_iter().flat_map(|e| [(e, 1.0), (e, 10_007.0)]) {
+            let points = planted(ends, scale);
+            let vertex = VoronoiVertex::new(&points, ids([2, 3, 4]));
+            let pencil = Pencil::new(&points, ids([0, 1]));
+            let to_vertex = DVec2::new(7.0, -3.0) - DVec2::from(ends.0);
+            let across = DVec2::from(ends.1) - DVec2::from(ends.0);
+            let cosine = to_vertex.dot(to_vertex - across);
+            let sine = across.perp_dot(to_vertex);
+
+            let exact = pencil.exact(&vertex);
+            let Cotangent { cosine: c, sine: s } = &*exact;
+            let times = |x: &BigInt, by: f64| x * by.to_i64().unwrap();
+            assert_eq!(times(c, sine), times(s, cosine), "{ends:?}");
+            assert_eq!(is_positive(s), sine > 0.0, "{ends:?}");
+            assert_eq!(is_positive(c), cosine > 0.0, "{ends:?}");
+
+            let (cut, left) = match pencil.effect(&vertex) {
+                Effect::Above(cut) => (cut, 1),
+                Effect::Below(cut) => (cut, -1),
+                Effect::Everywhere => {
+                    assert!(sine.abs() <= 0.0 && cosine < 0.0, "{ends:?}");
+                    continue;
+                }
+                Effect::Nowhere => {
+                    assert!(sine.abs() <= 0.0 && cosine > 0.0, "{ends:?}");
+                    continue;
+                }
+            };
+            assert_eq!(f64::from(left) * sine.abs(), sine, "{ends:?}");
+            let cotangent = cosine / sine;
+            assert!(cut.least <= cotangent && cotangent <= cut.most, "{ends:?}");
+            assert!(
+                cut.most - cut.least < 1e-10 * (1.0 + cotangent.abs()),
+                "{ends:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn discs_are_hardly_larger_than_they_are() {
+        let points = planted(ENDS[0], 1.0);
+        let pencil = Pencil::new(&points, ids([0, 1]));
+        let (p, q) = (DVec2::new(1.0, 2.0), DVec2::new(4.0, -9.0));
+        for cotangent in [-1e6, -3.0, 0.0, 0.5, 10.0] {
+            for origin in [DVec2::ZERO, DVec2::new(1e6, -1e6)] {
+                let (centre, squared) = pencil.disc(cotangent, origin).unwrap();
+                let radius = p.distance(q) / 2.0 * f64::hypot(1.0, cotangent);
+                let to_ends = [p, q].map(|end| (centre + origin).distance(end));
+                let rounding = 1e-13 * (centre.length() + origin.length());
+                assert!(
+                    to_ends
+                        .iter()
+                        .all(|d| (d - radius).abs() <= 1e-12 * radius + rounding)
+                );
+                let most = radius * (1.0 + 2f64.powi(-17)) + rounding;
+                assert!(
+                    radius * (1.0 + 2f64.powi(-19)) <= squared.sqrt() && squared.sqrt() <= most
+                );
+            }
+        }
+        assert!(pencil.disc(1e300, DVec2::ZERO).is_none());
+    }
 }
