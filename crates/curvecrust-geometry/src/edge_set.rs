@@ -65,7 +65,8 @@ pub struct EdgeSet {
 impl EdgeSet {
     /// Collects edges in any order, repeated or not.
     ///
-    /// The vertices are `0..vertex_count`, or up to the largest end of an edge if that is more.
+    /// The vertices are `0..vertex_count`, or up to the largest end of an edge if that is more; of
+    /// those beyond the last [`PointId`] there are none.
     #[must_use]
     pub fn new(vertex_count: usize, edges: impl IntoIterator<Item = Edge>) -> Self {
         let mut edges: Vec<Edge> = edges.into_iter().collect();
@@ -75,7 +76,7 @@ impl EdgeSet {
         }
         let used = edges.iter().map(|e| e.b).max().map_or(0, |b| b.index() + 1);
         Self {
-            vertex_count: vertex_count.max(used),
+            vertex_count: vertex_count.min(u32::MAX as usize).max(used),
             edges,
         }
     }
@@ -157,5 +158,16 @@ impl EdgeSet {
             .filter(|&(_, degree)| wanted(degree))
             .map(|(vertex, _)| PointId::from(vertex))
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_no_more_vertices_than_ids() {
+        assert_eq!(EdgeSet::new(7, []).vertex_count(), 7);
+        assert_eq!(EdgeSet::new(usize::MAX, []).vertex_count(), 0xffff_ffff);
     }
 }

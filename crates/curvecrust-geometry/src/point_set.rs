@@ -220,6 +220,8 @@ impl PointSet {
     }
 }
 
+/// # Panics
+/// If the id is of another set, and larger than those of this one, as indexing does.
 impl Index<PointId> for PointSet {
     type Output = DVec2;
 

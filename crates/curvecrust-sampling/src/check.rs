@@ -9,6 +9,8 @@
 //! at samples, and where the nearer sample changes, and an upper bound for every point of the curve.
 //! lfs is taken as measured.
 
+use std::ops::Range;
+
 use curvecrust_geometry::{DVec2, Segment};
 use curvecrust_medial_axis::Measured;
 
@@ -105,6 +107,8 @@ pub fn effective_rho(measured: &Measured, samples: &PlacedSamples) -> Option<Att
 }
 
 /// Whether samples satisfy a condition, and every interval on which they do not.
+///
+/// Samples that were placed on another dense curve may count as none.
 #[must_use]
 pub fn check(measured: &Measured, samples: &PlacedSamples, condition: Condition) -> Verdict {
     verdict(&Gaps::of(measured), samples, condition)
@@ -138,7 +142,13 @@ fn worst(found: &[Attained]) -> Option<Attained> {
 fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained> {
     let mut found = Vec::with_capacity(samples.placements().len() + 1);
     for (index, gaps) in all.iter().enumerate() {
-        let range = samples.components().get(index).cloned().unwrap_or(0..0);
+        // Samples of another dense curve are none of this one's.
+        let here = |range: &Range<usize>| {
+            let places = &samples.placements()[range.clone()];
+            places.iter().all(|p| gaps.range.contains(&p.dense))
+        };
+        let range = samples.components().get(index).cloned().filter(here);
+        let range = range.unwrap_or(0..0);
         let place = |sample: usize| {
             let place = samples.placements()[sample];
             (place.dense - gaps.range.start, place.t)

@@ -108,13 +108,13 @@ pub fn sample_verified(
         rounds,
         seed,
     } = verification;
-    PlacedSamples::of(measured, start)?;
+    let placed = PlacedSamples::of(measured, start)?;
     let name = algorithm.info().name;
     if !is_reconstructed(start, algorithm) {
         return Err(SamplingError::NotReconstructed { algorithm: name });
     }
     let gaps = Gaps::of(measured);
-    let chains = Chains::new(measured, start);
+    let chains = Chains::new(measured, &placed);
     if let Some((component, dense)) = chains.beyond(&gaps, deviation) {
         return Err(SamplingError::LimitExceeded { component, dense });
     }

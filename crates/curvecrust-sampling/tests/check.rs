@@ -310,3 +310,48 @@ fn a_straight_line_needs_no_samples_between_its_ends() {
         assert!(verdict.holds() && verdict.certain);
     }
 }
+
+/// On another dense curve than they were placed on, samples lie anywhere or nowhere.
+#[test]
+fn samples_of_another_curve_do_no_harm() {
+    let circle = |points| measured(Circle::new(1.0).unwrap().dense(points).unwrap());
+    let from_path = |d: &str| {
+        let curve = Curve::from_path_data(d).unwrap();
+        measure(
+            &curve,
+            Discretisation::PerSegment(40),
+            Estimator::Voronoi,
+            &|_, _| (),
+        )
+        .unwrap()
+    };
+    let two = "M 0 0 C 0 4 4 4 4 0 S 0 -4 0 0 Z M 9 0 C 9 4 13 4 13 0 S 9 -4 9 0 Z";
+    let curves = [
+        circle(400),
+        circle(30),
+        from_path(two),
+        from_path("M 0 0 C 3 1 6 -1 9 0 S 15 1 18 0"),
+    ];
+    let condition = Condition::epsilon(0.9).unwrap();
+    for (i, own) in curves.iter().enumerate() {
+        let end = own.dense().len() - 1;
+        let at = |dense: usize| Placement {
+            point: own.dense().points()[dense],
+            dense,
+            t: 0.0,
+        };
+        // Around the seam, in the last component.
+        let component = own.dense().components().last().unwrap();
+        let mut places = vec![at(end)];
+        if component.closed {
+            places.push(at(component.range.start + 3));
+        }
+        let samples = PlacedSamples::new(own, places).unwrap();
+        for (j, other) in curves.iter().enumerate() {
+            let verdict = check(other, &samples, condition);
+            assert!(!verdict.holds(), "{i} on {j}");
+            assert!(effective_epsilon(other, &samples).unwrap().dense < other.dense().len());
+            assert!(effective_rho(other, &samples).is_some());
+        }
+    }
+}

@@ -8,6 +8,7 @@ use curvecrust_medial_axis::Measured;
 
 use super::DeviationLimit;
 use crate::gaps::Gaps;
+use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
 
 /// The samples of a component, by the dense points that they are.
@@ -79,14 +80,17 @@ impl Chain {
 }
 
 impl<'a> Chains<'a> {
-    pub(crate) fn new(measured: &'a Measured, sampled: &SampledCurve) -> Self {
+    pub(crate) fn new(measured: &'a Measured, placed: &PlacedSamples) -> Self {
         let components = measured.dense().components().iter();
         let chain = |(dense, samples): (&DenseComponent, Range<usize>)| Chain {
             closed: dense.closed,
-            samples: sampled.dense_indices()[samples].to_vec(),
+            samples: placed.placements()[samples]
+                .iter()
+                .map(|p| p.dense)
+                .collect(),
             range: dense.range.clone(),
         };
-        let ranges = sampled.components().iter().map(|c| c.range.clone());
+        let ranges = placed.components().iter().cloned();
         Self {
             points: measured.dense().points(),
             chains: components.zip(ranges).map(chain).collect(),
