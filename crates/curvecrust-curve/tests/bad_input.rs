@@ -1,4 +1,5 @@
 //! Every kind of bad input, and the message that it earns.
+#![allow(clippy::panic, reason = "a test, its helpers included")]
 
 use curvecrust_curve::{Component, CubicBezier, Curve, CurveError};
 use glam::DVec2;

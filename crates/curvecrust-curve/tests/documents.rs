@@ -1,5 +1,6 @@
 //! Whole SVG documents: shapes against closed forms, placement, and what is read at all.
 #![allow(
+    clippy::panic,
     clippy::unwrap_used,
     reason = "clippy knows helpers of tests as tests in modules only"
 )]

@@ -1,5 +1,6 @@
 //! The curves of the paper, where its data is at hand, and those drawn for this project.
 #![allow(
+    clippy::panic,
     clippy::unwrap_used,
     reason = "clippy knows helpers of tests as tests in modules only"
 )]

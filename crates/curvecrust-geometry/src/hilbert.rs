@@ -65,10 +65,8 @@ mod tests {
             .collect();
         cells.sort_unstable();
         for (i, pair) in (0u32..).zip(cells.windows(2)) {
-            let [(key, x, y), (_, x2, y2)] = pair else {
-                unreachable!()
-            };
-            assert_eq!(*key, i);
+            let [(key, x, y), (_, x2, y2)] = [pair[0], pair[1]];
+            assert_eq!(key, i);
             assert_eq!((x - x2).abs() + (y - y2).abs(), 1);
         }
     }

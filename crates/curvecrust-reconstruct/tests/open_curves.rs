@@ -1,6 +1,10 @@
 //! Open curves end where they end, with and without marked termini.
 
-#![allow(clippy::unwrap_used, reason = "a test that fails panics")]
+#![allow(
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "a test that fails panics"
+)]
 
 use std::f64::consts::TAU;
 

@@ -155,7 +155,7 @@ pub(crate) fn certified(
 pub(crate) fn walk(gaps: &Gaps, condition: Condition, start: usize) -> Result<Vec<usize>, usize> {
     let end = start + gaps.len();
     let mut positions = vec![start];
-    let (mut from, mut guess) = (start, start + 1);
+    let (mut from, mut guess) = (start, start);
     while from < end {
         // Positions below a round, as far as `gaps` is concerned.
         let round = if from >= gaps.len() { gaps.len() } else { 0 };

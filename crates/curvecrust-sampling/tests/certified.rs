@@ -253,3 +253,21 @@ fn progress_ends_where_all_is_done() {
     assert!(told.len() > 2 && told.is_sorted());
     assert!(told.iter().all(|(done, of)| done <= of));
 }
+
+/// Gaps are 0.02 of lfs at most, and 0.05 of the bound times lfs: where that is enough, no finer.
+#[test]
+fn curves_are_as_fine_as_the_bound_asks_for() {
+    let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
+    for (bound, wanted) in [(0.9, 0.02), (0.1, 0.005)] {
+        let condition = Condition::epsilon(bound).unwrap();
+        let (measured, _) = sample_curve(&curve, condition, &|_, _| {}).unwrap();
+        let (points, lfs) = (measured.dense().points(), measured.lfs().values());
+        let gaps = points.windows(2).map(|pair| pair[0].distance(pair[1]));
+        let shares = gaps.zip(lfs).map(|(gap, lfs)| gap / lfs);
+        let largest = shares.fold(0.0, f64::max);
+        assert!(
+            0.5 * wanted < largest && largest < 1.02 * wanted,
+            "{bound}: {largest}"
+        );
+    }
+}

@@ -1,5 +1,9 @@
 //! The design's invariants, read from `cargo metadata` and the sources. See `ARCHITECTURE.md`.
-#![allow(clippy::expect_used, reason = "a test, its helpers included")]
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test, its helpers included"
+)]
 
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 use std::collections::BTreeSet;

@@ -1,5 +1,6 @@
 //! The program as people run it: the built binary, on files.
 #![allow(
+    clippy::panic,
     clippy::unwrap_used,
     clippy::print_stderr,
     reason = "a test, its helpers included"

@@ -1,6 +1,10 @@
 //! What every algorithm promises, whatever the points.
 
-#![allow(clippy::unwrap_used, reason = "a test that fails panics")]
+#![allow(
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "a test that fails panics"
+)]
 
 #[path = "../../../curvecrust/tests/adversarial/inputs.rs"]
 #[allow(dead_code, reason = "shared with the tests and benches of costs")]
