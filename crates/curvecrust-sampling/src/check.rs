@@ -373,3 +373,26 @@ fn ratio(distance: f64, lfs: f64) -> f64 {
         f64::INFINITY
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn infinite_lfs_is_infinite_only_between_two() {
+        const FAR: f64 = f64::INFINITY;
+        let cases = [
+            (1.0, 3.0, 2.0),
+            (1.0, FAR, 1.0),
+            (FAR, 3.0, 3.0),
+            (FAR, FAR, FAR),
+        ];
+        for (before, after, middle) in cases {
+            assert_eq!(
+                between(before, after, 0.5).total_cmp(&middle),
+                std::cmp::Ordering::Equal
+            );
+            assert!(between(before, after, 0.0) >= before.min(after));
+        }
+    }
+}

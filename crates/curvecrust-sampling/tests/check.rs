@@ -27,6 +27,7 @@ fn effective(measured: &Measured, points: &[DVec2]) -> [f64; 2] {
     let rho = effective_rho(measured, &placed).unwrap();
     for found in [epsilon, rho] {
         assert!(found.bound <= found.at_most && found.at_most < found.bound + 1e-2);
+        assert!(found.deviation <= found.deviation_at_most);
     }
     [epsilon.bound, rho.bound]
 }
@@ -354,4 +355,28 @@ fn samples_of_another_curve_do_no_harm() {
             assert!(effective_rho(other, &samples).is_some());
         }
     }
+}
+
+/// A bound and a limit that are attained do not hold, the next larger doubles do.
+#[test]
+fn conditions_are_strict() {
+    let circle = measured(Circle::new(1.0).unwrap().dense(90).unwrap());
+    let seven = (0..7).map(|i| DVec2::from_angle(0.1 + TAU * f64::from(i) / 7.0));
+    let seven: Vec<_> = seven.collect();
+    let samples = PlacedSamples::project(&circle, &seven, 1e-2)
+        .unwrap()
+        .samples;
+    let violations = |bound, limit| {
+        let condition = Condition::epsilon(bound).unwrap();
+        let condition = condition.with_hausdorff_limit(limit).unwrap();
+        check(&circle, &samples, condition).violations
+    };
+    let all = violations(1e-9, 2.0);
+    assert_eq!(all.len(), 7);
+    let bound = all.iter().map(|a| a.bound).fold(0.0, f64::max);
+    let deviation = all.iter().map(|a| a.deviation).fold(0.0, f64::max);
+    assert!(!violations(bound, 2.0).is_empty());
+    assert!(violations(bound.next_up(), 2.0).is_empty());
+    assert!(!violations(0.99, deviation).is_empty());
+    assert!(violations(0.99, deviation.next_up()).is_empty());
 }
