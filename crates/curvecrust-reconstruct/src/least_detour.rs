@@ -16,7 +16,7 @@
 //!    both ends, stay.
 //! 2. **Complete.** Other edges are added, the shortest first, while both ends have an open slot and
 //!    the edge is shorter than the prices of both.
-//! 3. **Exchange.** Edges are exchanged along alternating paths of up to four joins, as long as that
+//! 3. **Exchange.** Edges are exchanged along alternating paths of up to five joins, as long as that
 //!    lowers the cost.
 //!
 //! # What is known
@@ -52,7 +52,7 @@ use crate::error::ReconstructError;
 use crate::hnn_crust::HnnCrust;
 use crate::termini;
 use candidates::Candidates;
-use certificates::Certificates;
+use certificates::{Certificates, Crust};
 use exchange::{Path, Search, Step};
 use joins::{Joins, NONE};
 
@@ -167,11 +167,12 @@ impl Work<'_> {
         let candidates = Candidates::new(points, &delaunay);
         let hnn = HnnCrust::MUTUAL.with_termini(points, &termini);
         let certificates = Certificates::new(points, &hnn, &is_terminus);
-        let prices = certificates.prices(&candidates);
-        let mut joins = Joins::new(points.points(), prices, is_terminus.clone());
+        let mut joins = Joins::new(points.points(), is_terminus.clone());
         for [v, w] in certificates.certain(&delaunay) {
             joins.certify(v, w);
         }
+        let crust = Crust::new(points, &delaunay, |v| joins.is_settled(v));
+        joins.set_prices(certificates.prices(&candidates, &crust));
         let mut work = Work {
             points,
             ids,

@@ -6,9 +6,9 @@ use super::candidates::Candidates;
 use super::joins::{Joins, NONE};
 
 /// How many candidates are tried at each of the joins of a path, the first join first.
-const BREADTH: [usize; DEPTH] = [8, 8, 5, 5];
-/// How many joins a path may have: four include the moves known as 2-opt, 3-opt and or-opt.
-const DEPTH: usize = 4;
+const BREADTH: [usize; DEPTH] = [8, 8, 5, 5, 4];
+/// How many joins a path may have: five include the moves known as 2-opt, 3-opt and or-opt.
+const DEPTH: usize = 5;
 /// Partings and joins of the longest path.
 const LONGEST: usize = 2 * DEPTH + 1;
 
@@ -140,7 +140,7 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Exchanges that begin by filling an open slot of a point; none if it has none.
     pub(super) fn filling(mut self, v: u32) -> Self {
         if self.joins.is_open(v) {
-            let price = self.joins.price(v);
+            let price = self.to_leave_open(v, 1);
             self.extend(Hands {
                 base: None,
                 end: v,
@@ -153,9 +153,17 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Ends the path: the slots in hand stay open.
     fn leave_open(&mut self, hands: Hands) {
-        let slots = [Some(hands.end), hands.base];
-        let prices: f64 = slots.iter().flatten().map(|&v| self.joins.price(v)).sum();
+        let Hands { base, end, .. } = hands;
+        let other = base.filter(|&base| base != end);
+        let at_end = if base == Some(end) { 2 } else { 1 };
+        let prices =
+            self.to_leave_open(end, at_end) + other.map_or(0.0, |base| self.to_leave_open(base, 1));
         self.keep(hands.cost + prices, hands.size + prices);
+    }
+
+    /// What it costs to leave slots open that are in hand.
+    fn to_leave_open(&self, v: u32, in_hand: usize) -> f64 {
+        self.joins.cost(v, 0) - self.joins.cost(v, in_hand)
     }
 
     fn keep(&mut self, cost: f64, size: f64) {
@@ -205,7 +213,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.path.push(Step::Join(hands.end, to));
         let after = self.joins.cost(hands.end, 0) + self.joins.cost(to, 0);
         let left_open = hands.base.filter(|_| !is_base);
-        let price = left_open.map_or(0.0, |base| self.joins.price(base));
+        let price = left_open.map_or(0.0, |base| self.to_leave_open(base, 1));
         self.keep(
             hands.cost + length + after - before + price,
             hands.size + length + price,

@@ -57,7 +57,7 @@ pub struct OpenEnd {
     pub point: PointId,
     /// How many of its slots are open: 1 at an end, 2 if it is alone.
     pub slots: u8,
-    /// What it costs to leave a slot open. In the unit of the points.
+    /// What it costs to leave them open. In the unit of the points.
     pub price: f64,
     /// The exchange that fills a slot and would cost least; `None` if there is none.
     pub rejected: Option<Rejected>,
@@ -136,7 +136,7 @@ impl Work<'_> {
         Some(OpenEnd {
             point: self.ids[point.index()],
             slots,
-            price: self.joins.price(v),
+            price: self.joins.cost(v, 0),
             rejected,
         })
     }

@@ -5,11 +5,19 @@ use curvecrust_geometry::{DVec2, Edge, EdgeSet};
 /// No partner.
 pub(super) const NONE: u32 = u32::MAX;
 
+/// What it costs to leave slots of a point open.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Price {
+    /// One of them.
+    pub(super) slot: f64,
+    /// Both: at most twice as much, and no less than one.
+    pub(super) both: f64,
+}
+
 /// At most two partners for every point, at most one for a terminus.
 pub(super) struct Joins<'a> {
     points: &'a [DVec2],
-    /// What it costs to leave a slot of a point open.
-    prices: Vec<f64>,
+    prices: Vec<Price>,
     partners: Vec<[u32; 2]>,
     /// Those of the partners that stay.
     certified: Vec<[u32; 2]>,
@@ -17,10 +25,11 @@ pub(super) struct Joins<'a> {
 }
 
 impl<'a> Joins<'a> {
-    pub(super) fn new(points: &'a [DVec2], prices: Vec<f64>, is_terminus: Vec<bool>) -> Self {
+    /// No joins, and nothing to pay for open slots.
+    pub(super) fn new(points: &'a [DVec2], is_terminus: Vec<bool>) -> Self {
         Self {
             points,
-            prices,
+            prices: vec![Price::default(); points.len()],
             partners: vec![[NONE; 2]; points.len()],
             certified: vec![[NONE; 2]; points.len()],
             is_terminus,
@@ -31,8 +40,13 @@ impl<'a> Joins<'a> {
         self.partners[v as usize]
     }
 
+    pub(super) fn set_prices(&mut self, prices: Vec<Price>) {
+        self.prices = prices;
+    }
+
+    /// What it costs to leave one slot of a point open.
     pub(super) fn price(&self, v: u32) -> f64 {
-        self.prices[v as usize]
+        self.prices[v as usize].slot
     }
 
     pub(super) fn length(&self, v: u32, w: u32) -> f64 {
@@ -99,10 +113,11 @@ impl<'a> Joins<'a> {
                 let [p, q] = [p, q].map(|id| self.points[id as usize]);
                 detour(self.points[v as usize], p, q)
             }
-            _ => {
-                let slots = self.open_slots(v).saturating_sub(in_hand);
-                self.price(v) * f64::from(u8::try_from(slots).unwrap_or(0))
-            }
+            _ => match self.open_slots(v).saturating_sub(in_hand) {
+                0 => 0.0,
+                1 => self.prices[v as usize].slot,
+                _ => self.prices[v as usize].both,
+            },
         }
     }
 

@@ -11,7 +11,9 @@ struct Definition<'a> {
     /// Delaunay edges whose dual is longer than a point.
     candidates: EdgeSet,
     hnn: EdgeSet,
-    prices: Vec<f64>,
+    crust: EdgeSet,
+    /// Of one slot of each point, and of both.
+    prices: Vec<[f64; 2]>,
 }
 
 fn partners(edges: &EdgeSet, v: PointId) -> Vec<PointId> {
@@ -33,6 +35,7 @@ impl<'a> Definition<'a> {
             points,
             candidates: EdgeSet::new(points.len(), candidates),
             hnn: oracles::hnn_crust(points),
+            crust: oracles::one_step_crust(points),
             prices: Vec::new(),
         };
         definition.prices = points.ids().map(|v| definition.price(v)).collect();
@@ -50,41 +53,62 @@ impl<'a> Definition<'a> {
         closest
     }
 
-    fn price(&self, v: PointId) -> f64 {
+    fn price(&self, v: PointId) -> [f64; 2] {
         let to_nearest = |v: PointId| {
             let nearest = self.closest(v).first().copied();
             nearest.map_or(0.0, |p| self.points[v].distance(self.points[p]))
         };
         let around = self.closest(v).into_iter().take(2).map(to_nearest);
         let around = around.fold(0.0, f64::max);
-        let own = to_nearest(v).min(2.5 * around);
-        let is_trusted = |v: DVec2, p: DVec2, q: DVec2| {
+        let is_possible = |v: DVec2, p: DVec2, q: DVec2| {
             detour(v, p, q) <= 0.82 * v.distance(p).min(v.distance(q))
         };
-        let at_v = partners(&self.hnn, v).into_iter();
-        let trusted = at_v.filter(|&w| self.go_on(Edge::new(v, w).unwrap(), is_trusted));
-        let lengths = trusted.map(|w| self.points[v].distance(self.points[w]));
-        2.25 * lengths.fold(around.max(own), f64::max)
+        let is_settled = |v: PointId| {
+            let certain = partners(&self.hnn, v).into_iter();
+            certain.filter(|&w| self.is_certain(v, w)).count() == 2
+        };
+        let longest = |graph: &EdgeSet, may_be: &dyn Fn(PointId) -> bool| {
+            let trusted = partners(graph, v).into_iter().filter(|&w| {
+                may_be(v) && may_be(w) && Self::goes_on(self.points, graph, [v, w], is_possible)
+            });
+            let lengths = trusted.map(|w| self.points[v].distance(self.points[w]));
+            lengths.fold(0.0, f64::max)
+        };
+        let trusted = longest(&self.hnn, &|_| true).max(longest(&self.crust, &|v| !is_settled(v)));
+        let expected = around.max(trusted);
+        let own = to_nearest(v);
+        [
+            2.25 * expected.max(own),
+            4.5 * expected.max(own.min(3.0 * around)),
+        ]
     }
 
-    /// Whether both ends of an edge of HNN-Crust have another, which is `well` with it.
-    fn go_on(&self, edge: Edge, well: impl Fn(DVec2, DVec2, DVec2) -> bool) -> bool {
-        edge.ends()
-            .into_iter()
-            .all(|v| match partners(&self.hnn, v)[..] {
-                [p, q] => well(self.points[v], self.points[p], self.points[q]),
-                _ => false,
-            })
+    /// Whether both ends of an edge of a graph have another that is `well` with it.
+    fn goes_on(
+        points: &PointSet,
+        graph: &EdgeSet,
+        [v, w]: [PointId; 2],
+        well: impl Fn(DVec2, DVec2, DVec2) -> bool,
+    ) -> bool {
+        [(v, w), (w, v)].into_iter().all(|(at, to)| {
+            let others = partners(graph, at).into_iter().filter(|&p| p != to);
+            let mut others = others.map(|p| points[p]);
+            others.any(|p| well(points[at], points[to], p))
+        })
     }
 
-    fn certain(&self) -> impl Iterator<Item = Edge> + '_ {
-        let crust = oracles::one_step_crust(self.points);
+    fn is_certain(&self, v: PointId, w: PointId) -> bool {
         let is_straight = |v: DVec2, p: DVec2, q: DVec2| {
             let (a, b) = (p - v, q - v);
             -a.dot(b) >= 0.65 * a.length() * b.length()
         };
+        Edge::new(v, w).is_some_and(|e| self.hnn.contains(e) && self.crust.contains(e))
+            && Self::goes_on(self.points, &self.hnn, [v, w], is_straight)
+    }
+
+    fn certain(&self) -> impl Iterator<Item = Edge> + '_ {
         let edges = self.hnn.edges().iter().copied();
-        edges.filter(move |&e| crust.contains(e) && self.go_on(e, is_straight))
+        edges.filter(|e| self.is_certain(e.a(), e.b()))
     }
 
     fn cost(&self, edges: &EdgeSet) -> f64 {
@@ -94,8 +118,8 @@ impl<'a> Definition<'a> {
         });
         let at = |v: PointId| match partners(edges, v)[..] {
             [p, q] => detour(self.points[v], self.points[p], self.points[q]),
-            [_] => self.prices[v.index()],
-            _ => 2.0 * self.prices[v.index()],
+            [_] => self.prices[v.index()][0],
+            _ => self.prices[v.index()][1],
         };
         lengths.sum::<f64>() + self.points.ids().map(at).sum::<f64>()
     }
