@@ -227,4 +227,34 @@ mod tests {
         }
         assert!(differ > 10, "{differ}");
     }
+
+    /// By definition: the first of the starts from which the fewest jumps go round.
+    #[test]
+    fn the_best_start_is_the_first_with_the_fewest_jumps() {
+        let mut random = crate::random::Random::new(3);
+        for round in (1..40).chain([200]) {
+            for longest in [1.0, 3.0, 9.0, 60.0] {
+                let jump = |_| {
+                    (1..=round)
+                        .filter(|_| random.between(0.0, longest) < 1.0)
+                        .count()
+                        .max(1)
+                };
+                let jumps: Vec<usize> = (0..round).map(jump).collect();
+                let count = |&start: &usize| {
+                    let (mut far, mut count) = (0, 0);
+                    while far < round {
+                        far += jumps[(start + far) % round];
+                        count += 1;
+                    }
+                    count
+                };
+                assert_eq!(
+                    Some(best_start(&jumps)),
+                    (0..round).min_by_key(count),
+                    "{jumps:?}"
+                );
+            }
+        }
+    }
 }

@@ -356,3 +356,39 @@ fn within(limit: f64, chord: Segment, run: Run, ends: [DVec2; 2]) -> bool {
             .into_iter()
             .all(|p| chord.distance_squared(p) < squared)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use super::*;
+
+    /// A length that attains what is allowed does not hold, the next smaller double does.
+    #[test]
+    fn bounds_are_strict() {
+        let run = Run {
+            lfs: 1.0,
+            bulge: 0.0,
+        };
+        let attained = DVec2::new(0.0, SAFE * 0.5);
+        let nearer = DVec2::new(0.0, attained.y.next_down());
+        let chord = Segment::new(DVec2::ZERO, DVec2::X);
+        for (ends, holds) in [([attained, nearer], false), ([nearer, nearer], true)] {
+            assert_eq!(within(0.5, chord, run, ends), holds);
+            let [start, end] = ends;
+            assert_eq!(within(0.5, chord, run, [end, start]), holds);
+            for condition in [
+                Condition::epsilon(0.5).unwrap(),
+                Condition::rho(0.5).unwrap(),
+            ] {
+                let interval = Interval {
+                    condition,
+                    ends: [DVec2::ZERO, DVec2::splat(9.0)],
+                    reach: 1.0,
+                };
+                assert_eq!(interval.holds_on(run, [start, end]), holds);
+                assert_eq!(interval.holds_on(run, [end, start]), holds);
+            }
+        }
+    }
+}

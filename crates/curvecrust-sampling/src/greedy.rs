@@ -128,6 +128,29 @@ mod tests {
         Curve::from_path_data(&(d + " Z")).unwrap()
     }
 
+    /// Each point of an open curve is a sample, or every other one and the end, once.
+    #[test]
+    fn a_tiny_bound_takes_every_point_or_every_other() {
+        let arch = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
+        for gaps in [2, 3, 20, 21] {
+            let discretisation = Discretisation::PerSegment(gaps);
+            let measured =
+                measure(&arch, discretisation, Estimator::ShrinkingBall, &|_, _| {}).unwrap();
+            let last = measured.dense().len() - 1;
+            for condition in [
+                Condition::epsilon(1e-9).unwrap(),
+                Condition::rho(1e-9).unwrap(),
+            ] {
+                let greedy = sample_greedy(&measured, condition);
+                assert_eq!(greedy.dense_indices(), (0..=last).collect::<Vec<_>>());
+                let mut expected: Vec<usize> = (0..=last).step_by(2).collect();
+                expected.extend((last % 2 == 1).then_some(last));
+                let published = sample_as_published(&measured, condition);
+                assert_eq!(published.dense_indices(), expected);
+            }
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
         #[test]

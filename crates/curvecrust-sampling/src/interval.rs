@@ -143,3 +143,47 @@ impl Track {
             .fold(f64::INFINITY, f64::min)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use super::*;
+
+    /// Points 1 / 64 apart on a line.
+    fn line(lfs: impl Fn(usize) -> f64) -> Track {
+        let along: Vec<f64> = (0..200u8).map(|i| f64::from(i) / 64.0).collect();
+        Track {
+            points: along.iter().map(|&x| DVec2::new(x, 0.0)).collect(),
+            lfs: (0..200).map(lfs).collect(),
+            along,
+        }
+    }
+
+    /// How far looking ahead gets, in closed form: were it less, only the time would tell.
+    #[test]
+    fn as_many_points_are_skipped_as_the_slack_allows() {
+        let (epsilon, rho) = (
+            Condition::epsilon(0.5).unwrap(),
+            Condition::rho(0.5).unwrap(),
+        );
+        let limited = epsilon.with_hausdorff_limit(1.0 / 16.0).unwrap();
+        let skips = |track: &Track, condition, to| {
+            let slack = track.slack(condition, 0, to);
+            assert_eq!(
+                track.next_uncertain(condition, 0, to, slack, to + 2),
+                to + 2
+            );
+            track.next_uncertain(condition, 0, to, slack, 200) - to
+        };
+        let even = line(|_| 1.0);
+        // In steps m of 1 / 64. Up to the eighth point: m < 32 - 4, m < 32 - 5, and 7 m < 4 (8 - m).
+        let found = [epsilon, rho, limited].map(|c| skips(&even, c, 8));
+        assert_eq!(found, [28, 27, 3]);
+        // With none inside: m < 32 and m + 1 < 32.
+        assert_eq!([epsilon, rho].map(|c| skips(&even, c, 1)), [32, 31]);
+        // With an lfs of 2 - i / 128: 2 m < 0.5 (256 - 8 - (m - 1)), and 2 m + 0.5 m < 0.5 (256 - 8) - 10.
+        let falling = line(|i| 2.0 - i as f64 / 128.0);
+        assert_eq!([epsilon, rho].map(|c| skips(&falling, c, 8)), [50, 46]);
+    }
+}

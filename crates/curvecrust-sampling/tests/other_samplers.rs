@@ -62,6 +62,49 @@ fn uniform_samples_are_as_far_apart_as_asked_for() {
     );
 }
 
+/// By definition: the dense points that are nearest to equally spaced places, the earlier of two.
+#[test]
+fn uniform_samples_are_the_points_nearest_to_their_places() {
+    let measured = curves();
+    let (dense, mut expected) = (measured.dense(), Vec::new());
+    for step in [3.1, 0.4, 0.013, 0.004] {
+        expected.clear();
+        for component in dense.components() {
+            let range = component.range.clone();
+            let mut along = vec![0.0];
+            let mut at = range.start;
+            while let Some(next) = dense.next(at).filter(|_| along.len() <= range.len()) {
+                let length =
+                    along[along.len() - 1] + dense.points()[at].distance(dense.points()[next]);
+                along.push(length);
+                at = next;
+            }
+            let length = along[along.len() - 1];
+            let parts = (length / step)
+                .round()
+                .max(if component.closed { 3.0 } else { 1.0 });
+            let mut k = 0.0;
+            while k < parts + f64::from(u8::from(!component.closed)) {
+                let place = length * k / parts;
+                let off = |i: &usize| (along[*i] - place).abs();
+                let nearest = (0..along.len())
+                    .min_by(|i, j| off(i).total_cmp(&off(j)))
+                    .unwrap();
+                if nearest < range.len() {
+                    expected.push(range.start + nearest);
+                }
+                k += 1.0;
+            }
+        }
+        expected.dedup();
+        assert_eq!(
+            sample_uniformly(&measured, step).unwrap().dense_indices(),
+            expected,
+            "{step}"
+        );
+    }
+}
+
 #[test]
 fn uneven_samples_satisfy_the_condition() {
     let measured = curves();

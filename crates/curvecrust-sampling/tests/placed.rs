@@ -1,0 +1,119 @@
+//! Projection by brute force, and the ends of components.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+mod common;
+
+use common::Random;
+use curvecrust_curve::Curve;
+use curvecrust_geometry::{DVec2, Segment};
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_sampling::{PlacedSamples, Placement, SamplingError};
+
+fn measured(d: &str, per_segment: u32) -> Measured {
+    let curve = Curve::from_path_data(d).unwrap();
+    let discretisation = Discretisation::PerSegment(per_segment);
+    measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap()
+}
+
+/// A stadium and an arch beside it.
+fn curves() -> Measured {
+    measured(
+        "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z M 10 0 C 10 4 16 4 16 0",
+        12,
+    )
+}
+
+#[test]
+fn projections_are_the_nearest_places() {
+    let measured = curves();
+    let (dense, mut random) = (measured.dense(), Random::new(11));
+    let chord = |i: usize| {
+        Some(Segment::new(
+            dense.points()[i],
+            dense.points()[dense.next(i)?],
+        ))
+    };
+    for _ in 0..400 {
+        let p = DVec2::new(random.between(-3.0, 19.0), random.between(-3.0, 5.0));
+        let found = PlacedSamples::project(&measured, &[p], 20.0).unwrap();
+        let place = found.samples.placements()[0];
+        let chords = (0..dense.len()).filter_map(chord);
+        let nearest = chords.map(|c| c.distance(p)).fold(f64::INFINITY, f64::min);
+        assert!((found.distances[0] - nearest).abs() < 1e-12);
+        // At an open end there is no chord, and t is 0.
+        let (start, end) =
+            chord(place.dense).map_or([dense.points()[place.dense]; 2].into(), |c| (c.a, c.b));
+        assert!((0.0..1.0).contains(&place.t) && place.point == p);
+        assert!((start.lerp(end, place.t).distance(p) - nearest).abs() < 1e-12);
+        let component = dense.component_of(place.dense);
+        let expected = [[0..1, 1..1], [0..0, 0..1]][component].clone();
+        assert_eq!(found.samples.components(), expected);
+    }
+}
+
+#[test]
+fn a_sample_may_be_as_far_as_the_tolerance() {
+    let line = measured("M 0 0 H 3", 3);
+    let above = [DVec2::new(1.5, 0.25)];
+    let found = PlacedSamples::project(&line, &above, 0.25).unwrap();
+    let expected = Placement {
+        point: above[0],
+        dense: 1,
+        t: 0.5,
+    };
+    assert_eq!(found.samples.placements(), [expected]);
+    let refused = PlacedSamples::project(&line, &above, 0.25f64.next_down());
+    assert!(matches!(
+        refused,
+        Err(SamplingError::OffCurve { index: 0, .. })
+    ));
+    assert!(PlacedSamples::project(&line, &above, -0.25).is_err());
+}
+
+/// The last gap of a closed component begins at its last point; behind that of an open one there is none.
+#[test]
+fn only_closed_components_go_on_behind_their_last_point() {
+    let measured = curves();
+    let dense = measured.dense();
+    let place = |dense: usize, t| Placement {
+        point: measured.dense().points()[dense],
+        dense,
+        t,
+    };
+    let [stadium, arch] = dense.components() else {
+        panic!()
+    };
+    let (seam, end) = (stadium.range.end - 1, arch.range.end - 1);
+    let both = [
+        place(seam, 0.5),
+        place(0, 0.0),
+        place(arch.range.start, 0.0),
+        place(end, 0.0),
+    ];
+    let samples = PlacedSamples::new(&measured, both.to_vec()).unwrap();
+    assert_eq!(samples.components(), [0..2, 2..4]);
+    let refused = [
+        PlacedSamples::new(&measured, vec![place(end, f64::MIN_POSITIVE)]),
+        PlacedSamples::new(&measured, vec![place(0, -0.5)]),
+        PlacedSamples::new(
+            &measured,
+            vec![Placement {
+                dense: dense.len(),
+                ..both[0]
+            }],
+        ),
+    ];
+    for refused in refused {
+        assert!(matches!(
+            refused,
+            Err(SamplingError::NoSuchPlace { index: 0, .. })
+        ));
+    }
+    // The components in the wrong order.
+    let refused = PlacedSamples::new(&measured, vec![both[2], both[1]]);
+    let expected = SamplingError::OutOfOrder {
+        index: 1,
+        component: 0,
+    };
+    assert_eq!(refused, Err(expected));
+}
