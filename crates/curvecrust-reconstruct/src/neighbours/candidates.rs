@@ -38,6 +38,16 @@ pub(super) fn is_closer(key: f64, than: f64) -> bool {
     f64::from_bits(key.to_bits() | INDEX) < than
 }
 
+/// The greatest distance that may be behind a key.
+#[inline(always)]
+pub(super) fn at_most(key: f64) -> f64 {
+    if key < f64::INFINITY {
+        f64::from_bits(key.to_bits() | INDEX)
+    } else {
+        key
+    }
+}
+
 #[inline(always)]
 fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
@@ -155,25 +165,54 @@ impl Candidates {
     }
 
     /// The closest candidate other than `s` in the half-plane, or at all without one; ties and
-    /// signs are decided exactly.
+    /// signs are decided exactly. It must be known to be no farther than `bound`, if that is finite.
     #[inline(always)]
-    pub(super) fn search(&self, s: DVec2, plane: Option<&HalfPlane>) -> Best {
-        if let Some(plane) = plane {
+    pub(super) fn search(&self, s: DVec2, plane: Option<&HalfPlane>, mut bound: f64) -> Best {
+        if let Some(plane) = plane
+            && bound == f64::INFINITY
+        {
             let [first, second] = self.closest_inside(s, plane);
             let (point, at) = self.of_key(first);
-            if is_closer(first, second) && plane.contains(point) {
-                let squared = (point - s).length_squared();
-                return Best { squared, point, at };
+            if first < f64::INFINITY && plane.contains(point) {
+                if is_closer(first, second) {
+                    let squared = (point - s).length_squared();
+                    return Best { squared, point, at };
+                }
+                bound = at_most(first);
             }
         }
-        let len = self.len.min(ROOM);
+        self.compare(s, plane, bound)
+    }
+
+    /// The same one by one, among the candidates up to a distance.
+    #[inline(always)]
+    fn compare(&self, s: DVec2, plane: Option<&HalfPlane>, bound: f64) -> Best {
         let mut best = Best::NONE;
-        for ((&x, &y), &at) in self.x[..len].iter().zip(&self.y).zip(&self.at) {
-            let point = DVec2::new(x, y);
-            let squared = (point - s).length_squared();
-            let beats = squared > 0.0 && best.is_beaten_by(squared, point);
-            if beats && plane.is_none_or(|plane| plane.contains(point)) {
-                best = Best { squared, point, at };
+        let (x, _) = self.x.as_chunks::<LANES>();
+        let (y, _) = self.y.as_chunks::<LANES>();
+        let (at, _) = self.at.as_chunks::<LANES>();
+        let chunks = x.iter().zip(y).zip(at).take(self.len.div_ceil(LANES));
+        for ((x, y), at) in chunks {
+            let squared: [f64; LANES] = std::array::from_fn(|l| {
+                let (a_x, a_y) = (x[l] - s.x, y[l] - s.y);
+                a_x * a_x + a_y * a_y
+            });
+            let mut near = 0;
+            for l in 0..LANES {
+                near |= u32::from((squared[l] > 0.0) & (squared[l] <= bound)) << l;
+            }
+            for l in indices(near) {
+                let l = l as usize % LANES;
+                let point = DVec2::new(x[l], y[l]);
+                if best.is_beaten_by(squared[l], point)
+                    && plane.is_none_or(|plane| plane.contains(point))
+                {
+                    best = Best {
+                        squared: squared[l],
+                        point,
+                        at: at[l],
+                    };
+                }
             }
         }
         best

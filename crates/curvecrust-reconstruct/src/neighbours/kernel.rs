@@ -8,7 +8,7 @@
 use curvecrust_geometry::DVec2;
 
 use super::HalfRule;
-use super::candidates::{Candidates, LANES, is_closer};
+use super::candidates::{Candidates, LANES, at_most, is_closer};
 use super::half_plane::HalfPlane;
 use super::lanes::{WIDTH, bits, sum};
 use super::search::{Best, NONE};
@@ -123,36 +123,37 @@ impl Kernel<'_> {
                 [n0[l].1, h[l].1]
             } else {
                 let s = DVec2::new(x[l], y[l]);
-                self.choose_one(
-                    s,
-                    side(s, rect),
-                    is_closer(nearest[l], second[l]).then_some(n0[l]),
-                )
+                self.choose_one(s, side(s, rect), [nearest[l], second[l], third[l]])
             };
         }
     }
 
-    /// The choice of a point, given its distance from what is no candidate, and the closest candidate
-    /// if there is no other at that distance.
+    /// The choice of a point, given its distance from what is no candidate, and the keys of the
+    /// three closest candidates.
     #[inline(always)]
-    fn choose_one(&self, s: DVec2, side: f64, closest: Option<(DVec2, u32)>) -> Choice {
-        let certain = closest.filter(|(n0, _)| (n0 - s).length_squared() < side * side);
-        let (n0, at) = certain.unwrap_or_else(|| {
-            let best = self.search(s, None, side * side);
-            (best.point, best.at)
-        });
+    fn choose_one(&self, s: DVec2, side: f64, keys: [f64; 3]) -> Choice {
+        let (mut n0, mut at) = self.candidates.of_key(keys[0]);
+        let is_certain = is_closer(keys[0], keys[1]) && (n0 - s).length_squared() < side * side;
+        if !is_certain {
+            let best = self.search(s, None, at_most(keys[0]), side * side);
+            (n0, at) = (best.point, best.at);
+        }
         if at == NONE {
             return [NONE; 2];
         }
         let plane = HalfPlane::new(self.rule, s, n0);
-        [at, self.search(s, Some(plane), side * side).at]
+        let inside = |key: &f64| key.is_finite() && plane.contains(self.candidates.of_key(*key).0);
+        let bound = keys.into_iter().find(inside).map_or(f64::INFINITY, at_most);
+        [at, self.search(s, Some(plane), bound, side * side).at]
     }
 
     /// The closest point, among the candidates if one is closer than all other points.
+    ///
+    /// Where `bound` is finite, some candidate must be known to be no farther.
     #[inline(always)]
-    fn search(&self, s: DVec2, plane: Option<HalfPlane>, others_squared: f64) -> Best {
-        let best = self.candidates.search(s, plane.as_ref());
-        if best.squared < others_squared {
+    fn search(&self, s: DVec2, plane: Option<HalfPlane>, bound: f64, others: f64) -> Best {
+        let best = self.candidates.search(s, plane.as_ref(), bound);
+        if best.squared < others {
             best
         } else {
             self.tree.closest(s, plane, best)
