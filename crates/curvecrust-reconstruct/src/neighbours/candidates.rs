@@ -198,8 +198,8 @@ impl Candidates {
                 a_x * a_x + a_y * a_y
             });
             let mut near = 0;
-            for l in 0..LANES {
-                near |= u32::from((squared[l] > 0.0) & (squared[l] <= bound)) << l;
+            for (l, &squared) in squared.iter().enumerate() {
+                near |= u32::from((squared > 0.0) & (squared <= bound)) << l;
             }
             for l in indices(near) {
                 let l = l as usize % LANES;
