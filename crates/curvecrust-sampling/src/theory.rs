@@ -54,3 +54,35 @@ pub fn samples_on_parallel_lines(b: f64) -> f64 {
 pub fn distance_to_polygon(rho: f64) -> f64 {
     rho * rho / 2.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64) -> bool {
+        (a - b).abs() < 1e-12
+    }
+
+    /// On regular polygons, whose samples are as far as the bound from the middle of the arc between them.
+    #[test]
+    fn circles_attain_what_bounds_imply() {
+        for n in (3..50u32).map(f64::from) {
+            let bound = 2.0 * (PI / n / 2.0).sin();
+            let angle = PI - TAU / n;
+            assert!(near(least_angle(bound), angle));
+            assert!((samples_on_circle(angle) - n).abs() < 1e-9);
+            assert!(near(distance_to_polygon(bound), 1.0 - (PI / n).cos()));
+        }
+    }
+
+    /// Two lines at distance 2, where lfs is 1: samples 2 b apart on either, 2 / 2 b of them along 2 on each.
+    #[test]
+    fn lines_have_closed_forms() {
+        for b in [0.1, 0.47, 0.9] {
+            assert!(near(samples_on_parallel_lines(b), 2.0 / (2.0 * b)));
+        }
+        for (epsilon, rho) in [(0.5, 1.0), (1.0 / 3.0, 0.5), (0.2, 0.25)] {
+            assert!(near(rho_of_epsilon(epsilon), rho));
+        }
+    }
+}

@@ -2,7 +2,10 @@
 
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
+use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
+use proptest::prelude::*;
 
+use super::inputs::any_points;
 use super::oracles;
 
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
@@ -162,4 +165,35 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
         }
     }
     None
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn what_is_explained_is_what_is_returned(points in any_points()) {
+        let definition = Definition::new(&points);
+        let edges = LeastDetour.reconstruct(&points);
+        let why = LeastDetour.explain(&points, &[]).unwrap().unwrap();
+        let explained: Vec<Edge> = why.edges.iter().map(|e| e.edge).collect();
+        prop_assert_eq!(&explained[..], edges.edges());
+        let certain: Vec<Edge> = definition.certain().collect();
+        for explained in &why.edges {
+            let is_certain = certain.contains(&explained.edge);
+            prop_assert_eq!(explained.reason == Reason::Certified, is_certain);
+            prop_assert!(!is_certain || explained.margin.is_none());
+            prop_assert!(explained.margin.is_none_or(|margin| margin >= 0.0));
+        }
+        let open: Vec<_> = why.open.iter().map(|end| (end.point, usize::from(end.slots))).collect();
+        let slots = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
+        prop_assert_eq!(open, slots.filter(|s| s.1 > 0).collect::<Vec<_>>());
+        for end in &why.open {
+            let price = definition.prices[end.point.index()][usize::from(end.slots) - 1];
+            prop_assert!((end.price - price).abs() <= 1e-9 * price);
+            let Some(rejected) = end.rejected else { continue };
+            let joined = Edge::new(end.point, rejected.partner).unwrap();
+            prop_assert!(definition.candidates.contains(joined) && !edges.contains(joined));
+            prop_assert!(rejected.cost >= 0.0);
+        }
+    }
 }
