@@ -177,7 +177,7 @@ fn every_edge_and_every_open_end_has_its_reason() {
     assert_eq!(of, [0, 4, 5, 7, 8]);
     assert_eq!(
         (&ends[3]["partner"], &ends[3]["slots"]),
-        (&json!(8), &json!(1))
+        (&json!(4), &json!(1))
     );
     assert!(ends[3]["cost"].as_f64().unwrap() > 0.0);
 
