@@ -15,6 +15,7 @@ mod method;
 mod png;
 mod reproduce_paper;
 mod root;
+mod said;
 mod test;
 mod whole;
 

@@ -136,12 +136,18 @@ pub enum SamplingError {
 
 impl SamplingError {
     pub(crate) fn too_many(what: &'static str, value: f64, count: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "positive, and the cast saturates"
-        )]
-        let count = count as u64;
+        let count = whole(count);
         Self::TooMany { what, value, count }
     }
+}
+
+/// A count that was computed as a double, which is not negative.
+pub(crate) fn whole(count: f64) -> u64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "not negative, and the cast saturates"
+    )]
+    let whole = count as u64;
+    whole
 }

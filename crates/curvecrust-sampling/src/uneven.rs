@@ -4,7 +4,7 @@ use curvecrust_medial_axis::Measured;
 
 use crate::certified::{CertifiedSampling, certified};
 use crate::condition::Condition;
-use crate::error::{SAMPLE_LIMIT, SamplingError};
+use crate::error::{SAMPLE_LIMIT, SamplingError, whole};
 use crate::random::Random;
 use crate::sampled_curve::SampledCurve;
 
@@ -77,16 +77,6 @@ fn nearest(ascending: &[f64], value: f64) -> usize {
     } else {
         after
     }
-}
-
-fn whole(value: f64) -> u64 {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "not negative, and the cast saturates"
-    )]
-    let whole = value as u64;
-    whole
 }
 
 /// Samples that satisfy a condition, unevenly: each next one is anywhere between a `fraction` of the

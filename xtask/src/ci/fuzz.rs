@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::cargo::{outcome, succeeds};
 use crate::root::root;
+use crate::said::said;
 use crate::test;
 use anyhow::Context;
 use std::path::Path;
@@ -93,9 +94,7 @@ fn targets() -> anyhow::Result<Vec<String>> {
 
 /// The platform of this compiler.
 fn host() -> anyhow::Result<String> {
-    let output = Command::new("rustc").arg("-vV").output();
-    let output = output.context("cannot run rustc")?;
-    let text = String::from_utf8_lossy(&output.stdout);
+    let text = said("rustc", &["-vV"]).context("cannot run rustc")?;
     let line = text.lines().find_map(|line| line.strip_prefix("host: "));
     Ok(line.context("rustc names no host")?.to_owned())
 }

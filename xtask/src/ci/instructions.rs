@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::cargo::succeeds;
 use crate::root::root;
+use crate::said::said;
 use crate::test;
 use crate::whole::write_whole;
 use anyhow::{Context, bail};
@@ -36,7 +37,7 @@ pub(super) fn run(renew: bool) -> anyhow::Result<Outcome> {
         ));
     }
     let path = root().join("benches/instructions.toml");
-    let rustc = rustc()?;
+    let rustc = said("rustc", &["--version"]).context("cannot run rustc")?;
     if renew {
         let millions = count_all()?;
         let text = toml::to_string(&Baseline { rustc, millions })?;
@@ -114,10 +115,4 @@ fn count(kernel: &str, runs: u32) -> anyhow::Result<f64> {
         .find_map(|line| line.split_once("Collected : "));
     let (_, number) = line.with_context(|| format!("valgrind counted nothing: {text}"))?;
     Ok(number.trim().parse()?)
-}
-
-fn rustc() -> anyhow::Result<String> {
-    let output = Command::new("rustc").arg("--version").output();
-    let output = output.context("cannot run rustc")?;
-    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

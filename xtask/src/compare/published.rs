@@ -4,13 +4,13 @@
 use super::experiment;
 use super::write;
 use crate::root::root;
+use crate::said::said;
 use crate::whole::write_whole;
 use anyhow::Context;
 use curvecrust::report::compare::{Cells, Timing};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 /// Where it is, below the root.
 pub(super) const FOLDER: &str = "docs/results/compare";
@@ -40,14 +40,6 @@ pub(super) struct Run {
 impl Run {
     /// Of this program, here and now.
     pub(super) fn here(experiments: Vec<String>, threads: usize, seconds: Option<f64>) -> Self {
-        let said = |program: &str, arguments: &[&str]| {
-            let output = Command::new(program)
-                .args(arguments)
-                .current_dir(root())
-                .output();
-            let text = output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned());
-            text.ok().filter(|text| !text.is_empty())
-        };
         let commit = said("git", &["rev-parse", "--short=12", "HEAD"]);
         // What an earlier run published is no change of the program.
         let results = format!(":(exclude){FOLDER}");
