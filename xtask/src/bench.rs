@@ -16,7 +16,7 @@ pub(crate) struct Args {
     /// Without dispatch at run time: only the neighbour kernel, as for the oldest processors
     #[arg(long)]
     no_dispatch: bool,
-    /// Only these stages: kiddo, neighbours, growth, threads, delaunay, lfs, sampling
+    /// Only these stages: kiddo, neighbours, growth, threads, delaunay, least-detour, lfs, sampling
     stages: Vec<String>,
 }
 
