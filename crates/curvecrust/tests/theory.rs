@@ -129,7 +129,7 @@ fn the_theorems_hold_on_every_sampling() {
         .flat_map(|path| (0..STARTS).map(move |seed| (path.clone(), seed)))
         .collect();
     // One test: measuring a curve takes most of the time.
-    jobs.into_par_iter().for_each(|(path, seed)| {
+    let bursts = jobs.into_par_iter().map(|(path, seed)| {
         let curve = Curve::from_svg(&std::fs::read_to_string(&path).unwrap()).unwrap();
         let adaptive = Discretisation::Adaptive { gap_to_lfs: GAP };
         let measured = measure(
@@ -144,11 +144,18 @@ fn the_theorems_hold_on_every_sampling() {
             path.file_stem().unwrap().to_string_lossy()
         );
         reconstructions_are_exact_within_their_bounds(&name, &measured);
-        bursts_of_samples_change_nothing(&name, &measured, seed);
         one_step_and_two_step_crust_agree_on_dense_samples(&name, &measured);
         an_epsilon_sample_is_a_rho_sample(&name, &measured);
         angles_and_distances_keep_their_bounds(&name, &measured);
+        bursts_of_samples_change_nothing(&name, &measured, seed)
     });
+    let bursts: Vec<bool> = bursts.flatten().collect();
+    let wrong = bursts.iter().filter(|&&is_exact| !is_exact).count();
+    assert!(
+        wrong <= 2 && bursts.len() >= 390,
+        "{wrong} of {}",
+        bursts.len()
+    );
 }
 
 fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured) {
@@ -185,12 +192,10 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
 }
 
 /// More samples keep a rho-sample one, however uneven they make it: here every few intervals have six
-/// at one of their ends, up to ninety times closer than the other end. Least detour, of which no theorem
-/// says so, gets 397 of these 399 samplings right.
-fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) {
-    let Some(sampled) = valid(measured, Condition::rho(0.9).unwrap()) else {
-        return;
-    };
+/// at one of their ends, up to ninety times closer than the other end. Of least detour no theorem says
+/// so: whether it is right too, which it is but for two samplings.
+fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) -> Option<bool> {
+    let sampled = valid(measured, Condition::rho(0.9).unwrap())?;
     let mut seed = seed;
     let (mut points, mut edges): (Vec<DVec2>, Vec<Edge>) = (Vec::new(), Vec::new());
     let mut first_of = vec![None; sampled.points().len()];
@@ -224,6 +229,7 @@ fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) 
         comparison.is_exact(),
         "HNN-Crust with bursts on {name}: {comparison:?}"
     );
+    Some(EdgeComparison::new(&boundary, &least_detour(&points)).is_exact())
 }
 
 fn one_step_and_two_step_crust_agree_on_dense_samples(name: &str, measured: &Measured) {

@@ -19,7 +19,8 @@ const STRAIGHT: f64 = 0.65;
 const TRUSTED: f64 = 0.82;
 
 /// A point that is farther from its nearest neighbour than this many times what the points around are
-/// from theirs is taken for an outlier: to leave it alone costs no more than if it were that far.
+/// from theirs is taken for an outlier: to leave it alone costs no more than if it were that far, but
+/// no less than one open slot.
 const OUTLIER: f64 = 3.0;
 
 /// What it costs to leave a slot open, in longest edges that are to be expected there.
@@ -69,7 +70,7 @@ impl<'a> Certificates<'a> {
     /// neighbour of the two closest candidates and of the point itself, or of an edge at the point
     /// that may be long: HNN-Crust finds it, or the one-step crust between points that are not
     /// settled, and it goes on at both ends, by edges of the same graph, with turns of a rho-sample.
-    /// Both slots cost twice as much, but for an [`OUTLIER`].
+    /// Both slots cost twice as much, but for an [`OUTLIER`], and never less than one.
     pub(super) fn prices(&self, candidates: &Candidates, crust: &Crust) -> Vec<Price> {
         let to_nearest = |v: u32| {
             let nearest = candidates.of(v).first();
@@ -84,9 +85,11 @@ impl<'a> Certificates<'a> {
                 self.longest_trusted(v, |v| crust.of(v)),
             );
             let expected = around.max(trusted);
+            let slot = OPEN * expected.max(own);
+            let both = 2.0 * OPEN * expected.max(own.min(OUTLIER * around));
             Price {
-                slot: OPEN * expected.max(own),
-                both: 2.0 * OPEN * expected.max(own.min(OUTLIER * around)),
+                slot,
+                both: both.max(slot),
             }
         };
         (0u32..).take(self.partners.len()).map(price).collect()

@@ -80,10 +80,8 @@ impl<'a> Definition<'a> {
         let trusted = longest(&self.hnn, &|_| true).max(longest(&self.crust, &|v| !is_settled(v)));
         let expected = around.max(trusted);
         let own = to_nearest(v);
-        [
-            2.25 * expected.max(own),
-            4.5 * expected.max(own.min(3.0 * around)),
-        ]
+        let slot = 2.25 * expected.max(own);
+        [slot, slot.max(4.5 * expected.max(own.min(3.0 * around)))]
     }
 
     /// Whether both ends of an edge of a graph have another that is `well` with it.
