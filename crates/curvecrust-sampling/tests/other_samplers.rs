@@ -5,7 +5,7 @@ use curvecrust_curve::Curve;
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust_sampling::{
-    Condition, Noise, NoiseShape, NoiseSize, SamplingError, sample, sample_unevenly,
+    Condition, Noise, NoiseShape, NoiseSize, SAMPLE_LIMIT, SamplingError, sample, sample_unevenly,
     sample_uniformly, with_noise, with_outliers,
 };
 
@@ -59,6 +59,28 @@ fn uniform_samples_are_as_far_apart_as_asked_for() {
     ));
     assert!(
         sample_uniformly(&measured, 0.0).is_err() && sample_uniformly(&measured, f64::NAN).is_err()
+    );
+}
+
+/// A line of as many steps as there may be samples, and a line a little longer than that.
+#[test]
+fn as_many_uniform_samples_as_allowed_are_taken() {
+    let curve = Curve::from_path_data("M 0 0 H 10000000").unwrap();
+    let discretisation = Discretisation::PerSegment(2);
+    let line = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
+    let sampled = sample_uniformly(&line, 1e7 / SAMPLE_LIMIT as f64).unwrap();
+    // Each dense point once.
+    assert_eq!(
+        sampled.dense_indices(),
+        (0..line.dense().len()).collect::<Vec<_>>()
+    );
+    assert_eq!(
+        sample_uniformly(&line, 1e7 / (SAMPLE_LIMIT + 1) as f64),
+        Err(SamplingError::TooMany {
+            what: "the step",
+            value: 1e7 / (SAMPLE_LIMIT + 1) as f64,
+            count: SAMPLE_LIMIT + 1,
+        })
     );
 }
 

@@ -149,6 +149,23 @@ fn other_algorithms_and_limits() {
     assert!(few.len() < 10 && deviation(&measured, &few) > 1.0);
 }
 
+/// On an arc of less than half a turn HNN-Crust joins any samples in order: the one in the middle of three sees
+/// the others at an obtuse angle, and nothing is in the half-plane of an end. So only the ends stay.
+#[test]
+fn of_an_arc_only_the_ends_stay() {
+    let arc = Curve::from_path_data("M -40 9 A 41 41 0 0 1 40 9").unwrap();
+    let measured = measured(&arc);
+    let start = start(&measured);
+    assert!(start.len() > 2);
+    let mut verification = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
+    verification.rounds = 0;
+    let found = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+    assert_eq!(
+        found.samples.dense_indices(),
+        [0, measured.dense().len() - 1]
+    );
+}
+
 #[test]
 fn what_is_no_start_is_refused() {
     let measured = fixture("teaser");
