@@ -16,26 +16,39 @@ const TASK: usize = 1 << 12;
 ///
 /// Choices are compared in that order, in which those of neighbours are close in memory. Each point
 /// then reports its edges to points with larger ids in a slot of its own. Reading the slots by id
-/// gives the edges ascending, without a sort but for those that only the larger end chose.
+/// gives the edges ascending, without a sort but for those that only the larger end chose: on curves
+/// few or none.
 pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
     let count = order.len();
     let empty = || AtomicU64::new(0);
     let slots: Vec<AtomicU64> = (0..count).into_par_iter().map(|_| empty()).collect();
     let points = order.par_iter().enumerate().with_min_len(TASK);
-    points.for_each(|(at, &s)| {
+    let report = |at: usize, s: u32| {
         let reported = reported(order, chosen, at, keep);
         // Every point has its own slot, written once.
         let larger = reported.map(|id| if id > s { id } else { NONE });
         slots[s as usize].store(pair(larger), Ordering::Relaxed);
-    });
+        reported
+    };
+    let to_smaller: Vec<Edge> = match keep {
+        Keep::Mutual => {
+            points.for_each(|(at, &s)| {
+                report(at, s);
+            });
+            Vec::new()
+        }
+        Keep::Union => {
+            let found = points.fold(Vec::new, |mut to_smaller, (at, &s)| {
+                let smaller = report(at, s).into_iter().filter(|&id| id < s);
+                to_smaller.extend(smaller.filter_map(|id| Edge::new(s.into(), id.into())));
+                to_smaller
+            });
+            found.flatten_iter().collect()
+        }
+    };
     let mut edges = ascending(&slots);
-    if keep == Keep::Union {
-        let points = order.iter().enumerate();
-        edges.extend(points.flat_map(|(at, &s)| {
-            let reported = reported(order, chosen, at, keep);
-            let smaller = reported.into_iter().filter(move |&id| id < s);
-            smaller.filter_map(move |id| Edge::new(s.into(), id.into()))
-        }));
+    if !to_smaller.is_empty() {
+        edges.extend(to_smaller);
         // A stable sort takes the sorted part as it is.
         edges.sort();
     }
@@ -75,11 +88,9 @@ fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2]
         };
         let [nearest, half] = chosen[q as usize];
         let returned = (nearest as usize == at) | (half as usize == at);
-        let is_reported = if returned {
-            order[at] < id
-        } else {
-            keep == Keep::Union
-        };
+        // Which end is smaller is as good as random: no branch.
+        let smaller = returned & (order[at] < id);
+        let is_reported = smaller | (!returned & (keep == Keep::Union));
         if is_reported { id } else { NONE }
     })
 }
