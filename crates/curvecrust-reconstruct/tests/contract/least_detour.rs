@@ -4,8 +4,10 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
 
-use super::inputs::any_points;
+use super::inputs::{any_points, point_set, uniform};
 use super::oracles;
 
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
@@ -163,6 +165,92 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
         }
     }
     None
+}
+
+/// The least cost of all sets of edges that least detour may choose from, by trying all.
+struct Exhaustive<'a> {
+    definition: &'a Definition<'a>,
+    partners: Vec<Vec<PointId>>,
+    least: f64,
+}
+
+impl<'a> Exhaustive<'a> {
+    /// Given what some such set costs.
+    fn least_cost(definition: &'a Definition<'a>, known: f64) -> f64 {
+        let mut search = Self {
+            definition,
+            partners: vec![Vec::new(); definition.points.len()],
+            least: known,
+        };
+        let certain: Vec<Edge> = definition.certain().collect();
+        let certain_cost = certain.iter().map(|&e| search.join(e)).sum();
+        let candidates = definition.candidates.edges().iter().copied();
+        let rest: Vec<Edge> = candidates.filter(|e| !certain.contains(e)).collect();
+        search.with_or_without(&rest, certain_cost);
+        search.least
+    }
+
+    /// Joins the ends of an edge: its length, and the detours at ends that have two partners now.
+    fn join(&mut self, edge: Edge) -> f64 {
+        let points = self.definition.points;
+        let mut cost = points[edge.a()].distance(points[edge.b()]);
+        for (v, w) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
+            self.partners[v.index()].push(w);
+            if let [p, q] = self.partners[v.index()][..] {
+                cost += detour(points[v], points[p], points[q]);
+            }
+        }
+        cost
+    }
+
+    fn with_or_without(&mut self, rest: &[Edge], cost: f64) {
+        // What is joined already is paid for, whatever follows.
+        if cost >= self.least {
+            return;
+        }
+        let Some((&edge, rest)) = rest.split_first() else {
+            let open = self.partners.iter().zip(&self.definition.prices);
+            let open = open.map(|(partners, price)| match partners.len() {
+                0 => price[1],
+                1 => price[0],
+                _ => 0.0,
+            });
+            self.least = self.least.min(cost + open.sum::<f64>());
+            return;
+        };
+        let [a, b] = edge.ends().map(|v| &self.partners[v.index()]);
+        if a.len() < 2 && b.len() < 2 && !a.iter().any(|v| b.contains(v)) {
+            let added = self.join(edge);
+            self.with_or_without(rest, cost + added);
+            for v in edge.ends() {
+                self.partners[v.index()].pop();
+            }
+        }
+        self.with_or_without(rest, cost);
+    }
+}
+
+/// Of small sets of scattered points, of which next to nothing is certain, nearly all get the cheapest
+/// edges there are.
+#[test]
+fn exchanges_find_the_cheapest_edges_of_nearly_all_small_sets() {
+    let mut runner = TestRunner::deterministic();
+    let (mut sets, mut cheapest, mut excess) = (0_u32, 0_u32, 0.0);
+    while sets < 500 {
+        let points = point_set(uniform(13).new_tree(&mut runner).unwrap().current());
+        if points.len() < 7 {
+            continue;
+        }
+        let definition = Definition::new(&points);
+        let cost = definition.cost(&LeastDetour.reconstruct(&points));
+        let least = Exhaustive::least_cost(&definition, cost);
+        sets += 1;
+        cheapest += u32::from(cost <= least * (1.0 + 1e-9));
+        excess += cost / least - 1.0;
+    }
+    // 471, and 0.14 % in the mean. An exchange that is weighed wrongly leaves 200 to 270, and 3 %.
+    assert!(cheapest >= 460, "{cheapest} of {sets}");
+    assert!(excess / f64::from(sets) < 0.003, "{excess}");
 }
 
 proptest! {
