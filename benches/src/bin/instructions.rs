@@ -7,16 +7,18 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use curvecrust_benches::curves::dense_one_curve;
-use curvecrust_benches::generators::many_curves;
+use curvecrust_benches::generators::{many_curves, uniform};
 use curvecrust_medial_axis::{Estimator, Measured};
-use curvecrust_reconstruct::crust;
 use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
+use curvecrust_reconstruct::{crust, least_detour};
 use curvecrust_sampling::{Condition, sample};
 use curvecrust_voronoi::Delaunay;
 
 /// Points for the algorithms, and dense points of a curve.
 const POINTS: usize = 5_000;
 const DENSE: usize = 3_000;
+/// Scattered points, nothing of which is certain: nearly all of least detour is its search.
+const SCATTERED: usize = 500;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -33,6 +35,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 
 fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
     let points = many_curves(POINTS, 1)?.points;
+    let scattered = uniform(SCATTERED, 1)?;
     let dense = dense_one_curve(DENSE)?;
     let measured = Measured::new(dense.clone(), Estimator::Voronoi)?;
     let condition = Condition::rho(0.9)?;
@@ -41,6 +44,7 @@ fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
             "neighbours" => drop(black_box(neighbours(&points, HalfRule::Bisector))),
             "delaunay" => drop(black_box(Delaunay::new(&points))),
             "crust" => drop(black_box(crust(&points))),
+            "least-detour" => drop(black_box(least_detour(&scattered))),
             "lfs" => drop(black_box(Measured::new(dense.clone(), Estimator::Voronoi)?)),
             "sampling" => drop(black_box(sample(&measured, condition)?)),
             other => {

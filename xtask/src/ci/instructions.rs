@@ -15,7 +15,14 @@ use std::process::Command;
 const TOLERANCE: f64 = 0.03;
 
 /// The kernels, as the program `instructions` of the benches names them.
-const KERNELS: &[&str] = &["neighbours", "delaunay", "crust", "lfs", "sampling"];
+const KERNELS: &[&str] = &[
+    "neighbours",
+    "delaunay",
+    "crust",
+    "least-detour",
+    "lfs",
+    "sampling",
+];
 
 /// The committed counts.
 #[derive(Deserialize, Serialize)]
