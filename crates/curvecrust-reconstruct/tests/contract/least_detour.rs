@@ -119,12 +119,17 @@ impl<'a> Definition<'a> {
             let [p, q] = e.ends().map(|id| self.points[id]);
             p.distance(q)
         });
-        let at = |v: PointId| match partners(edges, v)[..] {
+        let at = |v: PointId| self.cost_at(v, &partners(edges, v));
+        lengths.sum::<f64>() + self.points.ids().map(at).sum::<f64>()
+    }
+
+    /// What a point with these partners costs: its detour, or its open slots.
+    fn cost_at(&self, v: PointId, partners: &[PointId]) -> f64 {
+        match *partners {
             [p, q] => detour(self.points[v], self.points[p], self.points[q]),
             [_] => self.prices[v.index()][0],
             _ => self.prices[v.index()][1],
-        };
-        lengths.sum::<f64>() + self.points.ids().map(at).sum::<f64>()
+        }
     }
 
     fn has_triangle(edges: &EdgeSet) -> bool {
@@ -196,8 +201,9 @@ impl<'a> Exhaustive<'a> {
         let mut cost = points[edge.a()].distance(points[edge.b()]);
         for (v, w) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
             self.partners[v.index()].push(w);
-            if let [p, q] = self.partners[v.index()][..] {
-                cost += detour(points[v], points[p], points[q]);
+            let partners = &self.partners[v.index()];
+            if partners.len() == 2 {
+                cost += self.definition.cost_at(v, partners);
             }
         }
         cost
@@ -209,12 +215,9 @@ impl<'a> Exhaustive<'a> {
             return;
         }
         let Some((&edge, rest)) = rest.split_first() else {
-            let open = self.partners.iter().zip(&self.definition.prices);
-            let open = open.map(|(partners, price)| match partners.len() {
-                0 => price[1],
-                1 => price[0],
-                _ => 0.0,
-            });
+            let all = self.definition.points.ids().zip(&self.partners);
+            let open = all.filter(|(_, partners)| partners.len() < 2);
+            let open = open.map(|(v, partners)| self.definition.cost_at(v, partners));
             self.least = self.least.min(cost + open.sum::<f64>());
             return;
         };
