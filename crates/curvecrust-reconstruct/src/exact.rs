@@ -1,10 +1,11 @@
 //! Points as integers, for signs that floating point cannot settle.
 
 use curvecrust_geometry::DVec2;
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
+use num_traits::{RefNum, Signed};
 
-/// A vector of integers.
-pub(crate) type Vector = [BigInt; 2];
+/// A vector of integers, of 128 bits or any number of them.
+pub(crate) type Vector<T = BigInt> = [T; 2];
 
 /// Points multiplied by the power of two that makes all their coordinates integers, and that
 /// power's negative exponent: `points[i] = integers[i] * 2^exponent`.
@@ -13,20 +14,25 @@ pub(crate) fn integers<const N: usize>(points: [DVec2; N]) -> ([Vector; N], i32)
     (points.map(|p| integer(p, exponent)), exponent)
 }
 
-/// Where points lie as seen from the first one, in units of the power of two that makes all integers, if
-/// these are below 2^18, as on a grid: polynomials of degree 6 in their differences fit into 128 bits.
-pub(crate) fn small_integers<const N: usize>(points: [DVec2; N]) -> Option<[[i128; 2]; N]> {
-    const SMALL: f64 = 262_144.0;
+/// Where points lie as seen from the first one, in units of the power of two that makes all integers,
+/// if polynomials of a degree in their differences fit into 128 bits, as for those of low degree and
+/// on a grid.
+pub(crate) fn small_integers<const N: usize>(
+    points: [DVec2; N],
+    degree: i32,
+) -> Option<[Vector<i128>; N]> {
+    // Differences have a bit more, and at least 12 bits are left for sums of products.
+    let limit = 2f64.powi((108 / degree).min(53));
     let exponent = common_exponent(&points);
     let unit = 2f64.powi(exponent);
     let mut integers = [[0; 2]; N];
     for (integer, point) in integers.iter_mut().zip(points) {
         // Exact if it is small: both are multiples of the unit.
         let offset = (point - points[0]) / unit;
-        if offset.abs().max_element() >= SMALL {
+        if offset.abs().max_element() >= limit {
             return None;
         }
-        #[expect(clippy::cast_possible_truncation, reason = "an integer below 2^18")]
+        #[expect(clippy::cast_possible_truncation, reason = "an integer below 2^53")]
         let as_integer = |x: f64| x as i128;
         *integer = offset.to_array().map(as_integer);
     }
@@ -64,25 +70,26 @@ fn parts(x: f64) -> (i64, i32) {
     (signed, exponent + zeros.cast_signed())
 }
 
-pub(crate) fn sub(p: &Vector, q: &Vector) -> Vector {
+pub(crate) fn sub<T: Signed>(p: &Vector<T>, q: &Vector<T>) -> Vector<T>
+where
+    for<'t> &'t T: RefNum<T>,
+{
     [&p[0] - &q[0], &p[1] - &q[1]]
 }
 
-pub(crate) fn dot(u: &Vector, v: &Vector) -> BigInt {
+pub(crate) fn dot<T: Signed>(u: &Vector<T>, v: &Vector<T>) -> T
+where
+    for<'t> &'t T: RefNum<T>,
+{
     &u[0] * &v[0] + &u[1] * &v[1]
 }
 
 /// Positive iff `v` is to the left of `u`.
-pub(crate) fn cross(u: &Vector, v: &Vector) -> BigInt {
+pub(crate) fn cross<T: Signed>(u: &Vector<T>, v: &Vector<T>) -> T
+where
+    for<'t> &'t T: RefNum<T>,
+{
     &u[0] * &v[1] - &u[1] * &v[0]
-}
-
-pub(crate) fn is_positive(x: &BigInt) -> bool {
-    x.sign() == Sign::Plus
-}
-
-pub(crate) fn is_negative(x: &BigInt) -> bool {
-    x.sign() == Sign::Minus
 }
 
 #[cfg(test)]
@@ -119,11 +126,16 @@ mod tests {
             let to = [DVec2::new(262_143.0, -3.0), DVec2::new(1.0, -262_143.0)];
             let points = [from, from + to[0], from + to[1]].map(|p| p * unit);
             let expected = [[0, 0], [262_143, -3], [1, -262_143]];
-            assert_eq!(small_integers(points), Some(expected));
+            assert_eq!(small_integers(points, 6), Some(expected));
         }
-        for far in [262_144.0, -262_144.0, 1e300] {
-            let points = [DVec2::ONE, DVec2::new(3.0, 1.0 + far)];
-            assert_eq!(small_integers(points), None, "{far}");
+        for (degree, bits) in [(2, 53), (4, 27), (6, 18)] {
+            let seen = |far| small_integers([DVec2::ZERO, DVec2::new(3.0, far)], degree);
+            let limit = 2f64.powi(bits);
+            let last = (1 << bits) - 1;
+            assert_eq!(seen(1.0 - limit), Some([[0, 0], [3, -last]]));
+            for far in [limit, -limit, 1e300] {
+                assert_eq!(seen(far), None, "{degree} {far}");
+            }
         }
     }
 }

@@ -7,8 +7,9 @@ use std::rc::Rc;
 
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use num_bigint::BigInt;
+use num_traits::{RefNum, Signed};
 
-use crate::exact::{Vector, cross, dot, integers, is_negative, is_positive, small_integers, sub};
+use crate::exact::{Vector, cross, dot, integers, small_integers, sub};
 use crate::voronoi_vertex::VoronoiVertex;
 
 /// Half a unit in the last place of 1: the relative error of one operation.
@@ -20,6 +21,7 @@ pub(crate) struct Pencil<'a> {
     points: &'a PointSet,
     ends: [PointId; 2],
     p: DVec2,
+    q: DVec2,
     /// q - p.
     across: DVec2,
     /// The exact cotangents computed so far, by vertex: on a grid all are asked for again and again.
@@ -55,6 +57,7 @@ impl<'a> Pencil<'a> {
             points,
             ends,
             p,
+            q,
             across: q - p,
             exact: RefCell::default(),
         }
@@ -73,15 +76,23 @@ impl<'a> Pencil<'a> {
     }
 
     /// What the vertex does: the side exactly, the cut with bounds.
+    ///
+    /// It is seen from the nearer end: from the other one, all that is close to the nearer one looks
+    /// as if it were on the line through both.
     pub(crate) fn effect<'v>(&self, vertex: &'v VoronoiVertex) -> Effect<'v> {
-        let seen = vertex.seen_from(self.p);
+        let [from_p, from_q] = [self.p, self.q].map(|end| vertex.seen_from(end));
+        let (seen, to_other_end) = if from_p.error <= from_q.error {
+            (from_p, self.across)
+        } else {
+            (from_q, -self.across)
+        };
         // Vertices of slivers are so far that squares of their distances would overflow.
         let size = seen.vector.abs().max_element();
         let direction = seen.vector / size;
         let error = seen.error / size;
         let width = self.across.length();
         let sine = self.across.perp_dot(direction);
-        let cosine = size * direction.length_squared() - direction.dot(self.across);
+        let cosine = size * direction.length_squared() - direction.dot(to_other_end);
         let sine_error = width * (16.0 * U + error);
         // An error of 1 or more, whose square would count, passes no test of the sine.
         let cosine_error = (16.0 * U + error) * 4.0 * (size + width);
@@ -99,11 +110,11 @@ impl<'a> Pencil<'a> {
         let exact = self.exact(vertex);
         let Cotangent { cosine, sine } = &*exact;
         let cut = Cut::new(vertex, 0.0, f64::INFINITY);
-        if is_positive(sine) {
+        if sine.is_positive() {
             Effect::Above(cut)
-        } else if is_negative(sine) {
+        } else if sine.is_negative() {
             Effect::Below(cut)
-        } else if is_negative(cosine) {
+        } else if cosine.is_negative() {
             Effect::Everywhere
         } else {
             Effect::Nowhere
@@ -120,7 +131,7 @@ impl<'a> Pencil<'a> {
             Ordering::Equal
         } else {
             let (a, b) = (self.exact(a.vertex), self.exact(b.vertex));
-            let same_side = is_positive(&a.sine) == is_positive(&b.sine);
+            let same_side = a.sine.is_positive() == b.sine.is_positive();
             let order = (&a.cosine * &b.sine).cmp(&(&b.cosine * &a.sine));
             if same_side { order } else { order.reverse() }
         }
@@ -137,37 +148,9 @@ impl<'a> Pencil<'a> {
     fn compute_exact(&self, vertex: &VoronoiVertex) -> Cotangent {
         let ([p, q], [a, b, c]) = (self.ends, vertex.corners);
         let points = [p, q, a, b, c].map(|id| self.points[id]);
-        if let Some([p, q, a, b, c]) = small_integers(points) {
-            let sub = |u: [i128; 2], v: [i128; 2]| [u[0] - v[0], u[1] - v[1]];
-            let dot = |u: [i128; 2], v: [i128; 2]| u[0] * v[0] + u[1] * v[1];
-            let cross = |u: [i128; 2], v: [i128; 2]| u[0] * v[1] - u[1] * v[0];
-            let (across, to_corner) = (sub(q, p), sub(a, p));
-            let (ab, ac) = (sub(b, a), sub(c, a));
-            let (bb, cc) = (dot(ab, ab), dot(ac, ac));
-            let weight = 2 * cross(ab, ac);
-            let place = [
-                to_corner[0] * weight + ac[1] * bb - ab[1] * cc,
-                to_corner[1] * weight + ab[0] * cc - ac[0] * bb,
-            ];
-            return Cotangent {
-                cosine: dot(place, sub(place, across.map(|x| x * weight))).into(),
-                sine: (cross(across, place) * weight).into(),
-            };
-        }
-        let ([p, q, a, b, c], _) = integers(points);
-        let (across, to_corner) = (sub(&q, &p), sub(&a, &p));
-        let (ab, ac) = (sub(&b, &a), sub(&c, &a));
-        let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));
-        // The vertex is at p + place / weight.
-        let weight: BigInt = 2 * cross(&ab, &ac);
-        let place: Vector = [
-            &to_corner[0] * &weight + &ac[1] * &bb - &ab[1] * &cc,
-            &to_corner[1] * &weight + &ab[0] * &cc - &ac[0] * &bb,
-        ];
-        let far_end = across.each_ref().map(|x| x * &weight);
-        Cotangent {
-            cosine: dot(&place, &sub(&place, &far_end)),
-            sine: cross(&across, &place) * weight,
+        match small_integers(points, 6) {
+            Some(points) => Cotangent::of(&points),
+            None => Cotangent::of(&integers(points).0),
         }
     }
 }
@@ -186,6 +169,32 @@ impl<'a> Cut<'a> {
 struct Cotangent {
     cosine: BigInt,
     sine: BigInt,
+}
+
+impl Cotangent {
+    /// Of the angle under which the circumcentre of `a`, `b`, `c` sees `p` and `q`.
+    fn of<T: Signed + Into<BigInt>>([p, q, a, b, c]: &[Vector<T>; 5]) -> Self
+    where
+        for<'t> &'t T: RefNum<T>,
+    {
+        let (across, to_corner) = (sub(q, p), sub(a, p));
+        let (ab, ac) = (sub(b, a), sub(c, a));
+        let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));
+        // The circumcentre is at p + place / weight.
+        let weight = {
+            let area = cross(&ab, &ac);
+            &area + &area
+        };
+        let place = [
+            &to_corner[0] * &weight + &ac[1] * &bb - &ab[1] * &cc,
+            &to_corner[1] * &weight + &ab[0] * &cc - &ac[0] * &bb,
+        ];
+        let far_end = across.each_ref().map(|x| x * &weight);
+        Self {
+            cosine: dot(&place, &sub(&place, &far_end)).into(),
+            sine: (cross(&across, &place) * weight).into(),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -231,8 +240,8 @@ mod tests {
             let Cotangent { cosine: c, sine: s } = &*exact;
             let times = |x: &BigInt, by: f64| x * by.to_i64().unwrap();
             assert_eq!(times(c, sine), times(s, cosine), "{ends:?}");
-            assert_eq!(is_positive(s), sine > 0.0, "{ends:?}");
-            assert_eq!(is_positive(c), cosine > 0.0, "{ends:?}");
+            assert_eq!(s.is_positive(), sine > 0.0, "{ends:?}");
+            assert_eq!(c.is_positive(), cosine > 0.0, "{ends:?}");
 
             let (cut, left) = match pencil.effect(&vertex) {
                 Effect::Above(cut) => (cut, true),
@@ -253,6 +262,21 @@ mod tests {
                 cut.most - cut.least < 1e-10 * (1.0 + cotangent.abs()),
                 "{ends:?}"
             );
+        }
+    }
+
+    /// In a debug build, where an overflow panics.
+    #[test]
+    fn small_integers_fit_into_128_bits() {
+        let most = 262_143.0;
+        let corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]]
+            .map(|[x, y]| DVec2::new(f64::from(x), f64::from(y)) * most);
+        for which in 0..4usize.pow(4) {
+            let corner = |place: u32| corners[which / 4usize.pow(place) % 4];
+            let points = [DVec2::ZERO, corner(0), corner(1), corner(2), corner(3)];
+            let of_small = Cotangent::of(&small_integers(points, 6).unwrap());
+            let exact = Cotangent::of(&integers(points).0);
+            assert_eq!((of_small.cosine, of_small.sine), (exact.cosine, exact.sine));
         }
     }
 

@@ -3,10 +3,11 @@
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Chain, DVec2, PointId, PointSet, orient2d};
 use num_bigint::BigInt;
+use num_traits::Signed;
 use rayon::prelude::*;
 use rstar::{AABB, RTree, RTreeObject};
 
-use crate::exact::{common_exponent, cross, integer, is_negative};
+use crate::exact::{common_exponent, cross, integer};
 
 /// Whether the signed area of the ring is negative, exactly.
 pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
@@ -36,7 +37,7 @@ pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
     let places: Vec<_> = places.iter().map(|&p| integer(p, exponent)).collect();
     let next = places.iter().cycle().skip(1);
     let area: BigInt = places.iter().zip(next).map(|(a, b)| cross(a, b)).sum();
-    is_negative(&area)
+    area.is_negative()
 }
 
 /// Rings around rings.

@@ -4,8 +4,9 @@
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet, in_circle};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 use glam::Vec2Swizzles;
+use num_traits::{RefNum, Signed};
 
-use crate::exact::{self, integers, is_negative, is_positive, sub};
+use crate::exact::{Vector, cross, dot, integers, small_integers, sub};
 
 /// Half a unit in the last place of 1: the relative error of one operation.
 const U: f64 = f64::EPSILON / 2.0;
@@ -36,8 +37,11 @@ impl Sight {
         if dot.abs() > error {
             return dot > 0.0;
         }
-        let ([p, q, from], _) = integers([self.p, self.q, self.from]);
-        is_positive(&exact::dot(&sub(&p, &from), &sub(&q, &from)))
+        let points = [self.p, self.q, self.from];
+        match small_integers(points, 2) {
+            Some(points) => cosine(&points).is_positive(),
+            None => cosine(&integers(points).0).is_positive(),
+        }
     }
 
     /// The cotangent of the angle, in floating point; infinite for slivers.
@@ -60,13 +64,31 @@ impl Sight {
             return estimate > 0.0;
         }
         // Both edges are pq, in either direction.
-        let ([p, q, a, b], _) = integers([self.p, self.q, self.from, other.from]);
-        let [u, v] = [sub(&p, &a), sub(&q, &a)];
-        let [x, y] = [sub(&q, &b), sub(&p, &b)];
-        let cosines = exact::dot(&u, &v) * exact::dot(&x, &y);
-        let sines = exact::cross(&u, &v) * exact::cross(&x, &y);
-        !is_negative(&(cosines - sines))
+        let points = [self.p, self.q, self.from, other.from];
+        match small_integers(points, 4) {
+            Some(points) => !cosine_of_sum(&points).is_negative(),
+            None => !cosine_of_sum(&integers(points).0).is_negative(),
+        }
     }
+}
+
+/// The cosine, times a positive number, of the angle under which `a` sees `p` and `q`.
+fn cosine<T: Signed>([p, q, a]: &[Vector<T>; 3]) -> T
+where
+    for<'t> &'t T: RefNum<T>,
+{
+    dot(&sub(p, a), &sub(q, a))
+}
+
+/// The cosine, times a positive number, of the sum of the angles under which `a` sees `pq` from its
+/// left and `b` from its right.
+fn cosine_of_sum<T: Signed>([p, q, a, b]: &[Vector<T>; 4]) -> T
+where
+    for<'t> &'t T: RefNum<T>,
+{
+    let [u, v] = [sub(p, a), sub(q, a)];
+    let [x, y] = [sub(q, b), sub(p, b)];
+    dot(&u, &v) * dot(&x, &y) - cross(&u, &v) * cross(&x, &y)
 }
 
 /// How a Delaunay edge is seen from the apexes of its triangles, left and right; `None` where the
@@ -101,4 +123,35 @@ pub(crate) fn filtered(points: &PointSet, keep: impl Fn(&DualEdge) -> bool) -> E
 pub(crate) fn edge_of(dual: &DualEdge) -> Option<Edge> {
     let [p, q] = dual.ends;
     Edge::new(p, q)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Corners of a square of twice this size around the first point, in any order.
+    fn corners<const N: usize>(most: f64) -> impl Iterator<Item = [DVec2; N]> {
+        let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)];
+        (0..64).map(move |which| {
+            let corner = |place: usize| corners[which >> (2 * place) & 3];
+            std::array::from_fn(|i| match i.checked_sub(1) {
+                Some(place) => DVec2::from(corner(place)) * most,
+                None => DVec2::ZERO,
+            })
+        })
+    }
+
+    /// In a debug build, where an overflow panics.
+    #[test]
+    fn small_integers_fit_into_128_bits() {
+        for points in corners(2f64.powi(53) - 1.0) {
+            let exact = cosine(&integers(points).0);
+            assert_eq!(exact, cosine(&small_integers(points, 2).unwrap()).into());
+        }
+        for points in corners(2f64.powi(27) - 1.0) {
+            let exact = cosine_of_sum(&integers(points).0);
+            let of_small = cosine_of_sum(&small_integers(points, 4).unwrap());
+            assert_eq!(exact, of_small.into());
+        }
+    }
 }
