@@ -277,8 +277,7 @@ impl<'a> Walk<'a> {
             if let Some(change) = last.change(next) {
                 self.visit(change, gap);
             }
-            let whole = (gap > from.0 || from.1 <= 0.0) && gap < to.0;
-            self.enclose(gap, last, next, whole);
+            self.enclose(gap, last, next);
             (last, gap) = (next, gap + 1);
         }
         let (worst, stop, dense) = self.worst;
@@ -329,25 +328,16 @@ impl<'a> Walk<'a> {
         self.deviation = self.deviation.max(deviation);
     }
 
-    /// Bounds what the curve does in a gap, or in the part of it between two stops.
-    fn enclose(&mut self, gap: usize, last: Stop, next: Stop, whole: bool) {
+    /// Bounds what the curve does in a gap, or in the part of it between two stops: the distance to the
+    /// nearer sample grows from either stop by no more than the length of the arc.
+    fn enclose(&mut self, gap: usize, last: Stop, next: Stop) {
         let (arc, run) = (self.gaps.arc(gap), self.gaps.gap(gap));
         let along_chord = |i: usize| last.distances[i].max(next.distances[i]) + run.bulge;
         let one_sample = along_chord(0).min(along_chord(1));
-        let (before, after) = (last.nearer(), next.nearer());
-        let middle = (before + after + arc) / 2.0;
-        let farthest = one_sample.min(before.max(after).max(middle));
+        let middle = (last.nearer() + next.nearer() + arc) / 2.0;
+        let farthest = one_sample.min(middle);
         let at_most = match self.kind {
             Bound::Rho(_) => farthest,
-            Bound::Epsilon(_) if whole => {
-                let there = [
-                    ratio(before, last.lfs),
-                    ratio(after, next.lfs),
-                    ratio(middle, (last.lfs + next.lfs - arc) / 2.0),
-                ];
-                let anywhere = there.into_iter().fold(0.0, f64::max);
-                anywhere.min(ratio(one_sample, run.lfs))
-            }
             Bound::Epsilon(_) => ratio(farthest, run.lfs),
         };
         self.at_most = self.at_most.max(at_most);
@@ -377,6 +367,26 @@ fn ratio(distance: f64, lfs: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_worst_is_the_first_of_equals() {
+        let interval = |component, bound| Attained {
+            interval: Interval {
+                component,
+                samples: [None; 2],
+            },
+            bound,
+            at_most: bound,
+            at: DVec2::ZERO,
+            dense: 0,
+            lfs: 1.0,
+            deviation: 0.0,
+            deviation_at_most: 0.0,
+        };
+        let all = [(0, 1.0), (1, 2.0), (2, 2.0), (3, 0.5)].map(|(c, b)| interval(c, b));
+        assert_eq!(worst(&all), Some(all[1]));
+        assert_eq!(worst(&[]), None);
+    }
 
     #[test]
     fn infinite_lfs_is_infinite_only_between_two() {

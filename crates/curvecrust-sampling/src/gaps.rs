@@ -319,7 +319,8 @@ impl Interval {
     }
 
     /// Whether the condition holds along a gap, whichever sample is nearer to its points: the
-    /// distance to the nearer one grows from either end by no more than the length of the arc.
+    /// distance to the nearer one grows, and lfs falls, from either end by no more than the length of
+    /// the arc.
     fn holds_where_the_nearer_changes(&self, gaps: &Gaps, at: usize) -> bool {
         let [start, end] = [gaps.point(at), gaps.point(at + 1)];
         let (lfs, arc) = ([gaps.lfs(at), gaps.lfs(at + 1)], gaps.arc(at));
@@ -327,15 +328,9 @@ impl Interval {
         let (before, after) = (nearer(start), nearer(end));
         let holds = match self.condition.bound() {
             Bound::Epsilon(epsilon) => {
-                let b = SAFE * epsilon;
-                before < b * lfs[0]
-                    && after < b * lfs[1]
-                    && before + after + arc < b * (lfs[0] + lfs[1] - arc)
+                before + after + arc < SAFE * epsilon * (lfs[0] + lfs[1] - arc)
             }
-            Bound::Rho(rho) => {
-                let allowed = SAFE * rho * self.reach;
-                before.max(after).max((before + after + arc) / 2.0) < allowed
-            }
+            Bound::Rho(rho) => before + after + arc < SAFE * rho * 2.0 * self.reach,
         };
         holds && self.keeps_limit(gaps.gap(at), [start, end])
     }

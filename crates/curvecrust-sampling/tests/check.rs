@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use common::fixtures;
 use curvecrust_curve::analytic::{Circle, Stadium};
-use curvecrust_curve::{Curve, DenseCurve};
+use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust_sampling::{
@@ -310,6 +310,32 @@ fn a_straight_line_needs_no_samples_between_its_ends() {
         let verdict = check(&measured, &placed, Condition::rho(0.1).unwrap());
         assert!(verdict.holds() && verdict.certain);
     }
+}
+
+/// Nothing of it is between samples, but all of it is a sample.
+#[test]
+fn a_point_is_a_curve() {
+    let at = DVec2::new(2.0, 3.0);
+    let start = CurveParam {
+        component: 0,
+        segment: 0,
+        t: 0.0,
+    };
+    let component = DenseComponent {
+        range: 0..1,
+        closed: false,
+    };
+    let dense = DenseCurve::new(vec![at], vec![start], vec![component]).unwrap();
+    let measured = measured(dense);
+    let placement = Placement {
+        point: at,
+        dense: 0,
+        t: 0.0,
+    };
+    let placed = PlacedSamples::new(&measured, vec![placement]).unwrap();
+    let attained = effective_epsilon(&measured, &placed).unwrap();
+    assert_eq!(attained.interval.samples, [Some(0), None]);
+    assert!(attained.bound <= 0.0 && attained.at == at);
 }
 
 /// On another dense curve than they were placed on, samples lie anywhere or nowhere.

@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::sync::Mutex;
+
 use common::{Random, fixtures, random_closed};
 use curvecrust_curve::Curve;
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
@@ -162,4 +164,32 @@ fn greedy_is_not_optimal_with_a_limit() {
     }
     let limited = rho.with_hausdorff_limit(0.015).unwrap();
     assert_eq!(counts(limited), [6, 4]);
+}
+
+#[test]
+fn progress_is_told_in_small_steps() {
+    let (_, curve) = fixtures()
+        .into_iter()
+        .find(|(name, _)| name == "teaser")
+        .unwrap();
+    let measured = measured(&curve, 0.02).unwrap();
+    let rho = Condition::rho(0.9).unwrap();
+    for condition in [rho, rho.with_hausdorff_limit(0.1 * curve.extent()).unwrap()] {
+        let told = Mutex::new(Vec::new());
+        let tell = |done, of| told.lock().unwrap().push((done, of));
+        let fewest = sample_fewest(&measured, condition, &tell).unwrap();
+        let total = measured.dense().len();
+        let told = told.into_inner().unwrap();
+        assert!(told.iter().all(|&(_, of)| of == total));
+        let done: Vec<usize> = told.into_iter().map(|(done, _)| done).collect();
+        assert!(done.is_sorted() && done[0] == 0 && done.last() == Some(&total));
+        if condition == rho {
+            // One step for each sample.
+            let step = total / fewest.samples.len();
+            assert!(
+                done.windows(2).all(|pair| pair[1] - pair[0] <= 2 * step),
+                "{done:?}"
+            );
+        }
+    }
 }

@@ -5,7 +5,7 @@ mod common;
 
 use common::fixtures;
 use curvecrust_curve::Curve;
-use curvecrust_geometry::{EdgeSet, PointSet, Segment};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Segment};
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 use curvecrust_reconstruct::{AlgorithmInfo, Crust, HnnCrust, Reconstructor, hnn_crust};
 use curvecrust_sampling::{
@@ -147,6 +147,43 @@ fn other_algorithms_and_limits() {
         .unwrap()
         .samples;
     assert!(few.len() < 10 && deviation(&measured, &few) > 1.0);
+}
+
+/// Without a limit, so that all that counts is what HNN-Crust returns.
+#[test]
+fn no_single_sample_can_go() {
+    for name in ["teaser", "berries"] {
+        let measured = fixture(name);
+        let mut verification = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
+        verification.rounds = 1;
+        let found = sample_verified(&measured, &start(&measured), verification, &|_, _| {});
+        let samples = found.unwrap().samples;
+        for component in samples.components() {
+            assert!(component.closed, "{name}");
+            for removed in component.range.clone() {
+                if component.range.len() > 3 {
+                    assert!(!holds_without(&samples, removed), "{name} {removed}");
+                }
+            }
+        }
+    }
+}
+
+/// Whether HNN-Crust returns the closed components without one of their samples.
+fn holds_without(samples: &SampledCurve, removed: usize) -> bool {
+    let index = |sample: usize| PointId::new(sample - usize::from(sample > removed)).unwrap();
+    let joined = samples.components().iter().flat_map(|component| {
+        let left: Vec<usize> = component.range.clone().filter(|&s| s != removed).collect();
+        let next = left.clone().into_iter().cycle().skip(1);
+        left.into_iter().zip(next)
+    });
+    let edges: Vec<Edge> = joined
+        .map(|(s, next)| Edge::new(index(s), index(next)).unwrap())
+        .collect();
+    let mut points = samples.points().to_vec();
+    points.remove(removed);
+    let points = PointSet::new(points).unwrap();
+    hnn_crust(&points) == EdgeSet::new(points.len(), edges)
 }
 
 /// On an arc of less than half a turn HNN-Crust joins any samples in order: the one in the middle of three sees

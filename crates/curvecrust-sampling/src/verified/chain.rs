@@ -97,6 +97,23 @@ impl<'a> Chains<'a> {
         }
     }
 
+    /// Every point a sample, from one chain after the other, each with its number of points.
+    #[cfg(test)]
+    pub(crate) fn of_samples(points: &'a [DVec2], chains: &[(usize, bool)]) -> Self {
+        let mut start = 0;
+        let chain = |&(count, closed): &(usize, bool)| {
+            let range = start..start + count;
+            start = range.end;
+            Chain {
+                closed,
+                samples: range.clone().collect(),
+                range,
+            }
+        };
+        let chains = chains.iter().map(chain).collect();
+        Self { points, chains }
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.chains.iter().map(|chain| chain.samples.len()).sum()
     }

@@ -191,3 +191,145 @@ impl Choice {
             && (to_q > TIE * self.to_half || to_q > TIE * q.distance_squared(self.nearest))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use std::f64::consts::TAU;
+
+    use curvecrust_reconstruct::hnn_crust;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Chains, and their points: closed ones around a centre, open ones in a row, so close to each other and so
+    /// uneven that about half of them are reconstructed.
+    fn shaped() -> impl Strategy<Value = (Vec<(usize, bool)>, Vec<DVec2>)> {
+        let uneven = prop::array::uniform2(-1.0..1.0);
+        let chain = (any::<bool>(), prop::collection::vec(uneven, 3..7));
+        let place = prop::array::uniform2(-2.0..2.0).prop_map(DVec2::from);
+        prop::collection::vec((place, chain), 1..3).prop_map(|chains| {
+            let shape = chains.iter().map(|(_, (closed, of))| (of.len(), *closed));
+            let points = chains.iter().flat_map(|(place, (closed, of))| {
+                let (closed, count) = (*closed, of.len() as f64);
+                let point = move |(i, &[x, y]): (usize, &[f64; 2])| {
+                    if closed {
+                        let angle = (i as f64 + 0.3 * x) * TAU / count;
+                        DVec2::from_angle(angle) * (1.0 + 0.3 * y)
+                    } else {
+                        DVec2::new(i as f64 + 0.5 * x, 0.5 * y)
+                    }
+                };
+                of.iter().enumerate().map(move |at| *place + point(at))
+            });
+            (shape.collect(), points.collect())
+        })
+    }
+
+    /// Whether HNN-Crust joins every chain, and nothing else.
+    fn are_reconstructed(chains: &Chains, points: &[DVec2]) -> bool {
+        let closed = chains.chains.iter().map(|c| (&c.samples, c.closed));
+        let edges = closed.flat_map(|(samples, closed)| {
+            let next = samples.iter().cycle().skip(1);
+            let joined = samples.len() - usize::from(!closed);
+            samples.iter().zip(next).take(joined).map(|(&s, &next)| {
+                Edge::new(PointId::new(s).unwrap(), PointId::new(next).unwrap()).unwrap()
+            })
+        });
+        let edges = EdgeSet::new(points.len(), edges.collect::<Vec<_>>());
+        hnn_crust(&PointSet::new(points.to_vec()).unwrap()) == edges
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+        /// An open end that chooses its neighbour only as the half neighbour is refused, though it
+        /// may be joined.
+        #[test]
+        fn choices_are_those_of_hnn_crust(
+            (shape, points) in shaped()
+        ) {
+            let chains = Chains::of_samples(&points, &shape);
+            let all_choose = chains.places().all(|place| chooses_its_neighbours(&chains, place));
+            let found = are_reconstructed(&chains, &points);
+            if shape.iter().all(|&(_, closed)| closed) {
+                prop_assert_eq!(all_choose, found);
+            } else {
+                prop_assert!(found || !all_choose);
+            }
+        }
+
+        #[test]
+        fn a_sample_disturbs_what_chooses_it(
+            (shape, points) in shaped()
+        ) {
+            // The last sample is added.
+            let chains = Chains::of_samples(&points, &shape);
+            let added = points.len() - 1;
+            let last = shape.len() - 1;
+            let mut fewer = shape.clone();
+            fewer[last].0 -= 1;
+            let before = Chains::of_samples(&points[..added], &fewer);
+            let is_beside = |(chain, at): Place| {
+                let this = &chains.chains[chain];
+                this.samples[at] == added || this.neighbours(at).contains(&Some(added))
+            };
+            let others = || chains.places().filter(|&place| !is_beside(place));
+            let choose = |chains: &Chains| others().all(|place| chooses_its_neighbours(chains, place));
+            // Those whose neighbours are the same with and without it.
+            if choose(&before) {
+                prop_assert_eq!(disturbs_none(&chains, added), choose(&chains));
+            }
+        }
+    }
+
+    #[test]
+    fn ends_that_face_each_other_are_not_clear() {
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        // The ends see each other on the far side, at whatever distance.
+        for gap in [0.9, 1.5, 3.0] {
+            let points = [0.0, 1.0, 1.0 + gap, 2.0 + gap].map(|x| at(x, 0.0));
+            let chains = Chains::of_samples(&points, &[(2, false), (2, false)]);
+            assert!(!is_a_clear_end(&chains, 1, 0), "{gap}");
+        }
+        // A sample inside an open curve, or of a closed one, does not return the choice.
+        let beyond = [
+            at(0.0, 0.0),
+            at(1.0, 0.0),
+            at(3.0, 4.0),
+            at(3.0, 0.0),
+            at(3.0, -4.0),
+        ];
+        for closed in [true, false] {
+            let chains = Chains::of_samples(&beyond, &[(2, false), (3, closed)]);
+            assert!(is_a_clear_end(&chains, 1, 0));
+        }
+        // But it must not be the nearest.
+        let near = beyond.map(|p| if p.x > 1.0 { p - at(1.5, 0.0) } else { p });
+        let chains = Chains::of_samples(&near, &[(2, false), (3, true)]);
+        assert!(!is_a_clear_end(&chains, 1, 0));
+    }
+
+    #[test]
+    fn ties_are_no_choice_at_any_scale() {
+        for scale in [1e-9, 1.0, 1e9] {
+            let at = |x: f64, y: f64| scale * DVec2::new(x, y);
+            let choice = Choice::new(at(0.0, 0.0), at(2.0, 0.0), at(-3.0, 0.0));
+            assert!(choice.is_clear());
+            // As near as the nearest; nearer; farther, on either side.
+            assert!(!choice.keeps(at(0.0, 2.0)) && !choice.keeps(at(0.0, -1.0)));
+            assert!(!choice.keeps(at(0.0, 2.5)) && choice.keeps(at(2.5, 0.0)));
+            // As near as the half neighbour, which is in the half-plane; farther.
+            assert!(!choice.keeps(at(0.0, 3.0)) && choice.keeps(at(0.0, 3.1)));
+            // As far from the nearest as from here.
+            assert!(!choice.keeps(at(1.0, 2.0)) && choice.keeps(at(1.1, 2.0)));
+            assert!(!choice.keeps(at(0.9, 2.0)));
+            // Its neighbours as far from each other as the half neighbour is.
+            let height = 3.0 * 0.75f64.sqrt();
+            assert!(!Choice::new(at(0.0, 0.0), at(3.0, 0.0), at(1.5, height)).is_clear());
+            assert!(Choice::new(at(0.0, 0.0), at(3.0, 0.0), at(1.4, height)).is_clear());
+            assert!(!Choice::new(at(0.0, 0.0), at(3.0, 0.0), at(1.6, height)).is_clear());
+        }
+    }
+}

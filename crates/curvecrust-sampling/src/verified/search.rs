@@ -87,9 +87,6 @@ impl<'a> Search<'a> {
     fn room(&self, chain: usize, at: usize, count: usize) -> Option<(usize, usize)> {
         let this = &self.chains.chains[chain];
         let len = this.samples.len();
-        if at >= len || len < count + 2 {
-            return None;
-        }
         let last = if at + count <= len {
             at + count - 1
         } else if this.closed {
