@@ -16,8 +16,8 @@
 //!    both ends, stay.
 //! 2. **Complete.** Other edges are added, the shortest first, while both ends have an open slot and
 //!    the edge is shorter than the prices of both.
-//! 3. **Exchange.** Edges are exchanged along alternating paths of up to five joins, as long as that
-//!    lowers the cost.
+//! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve joins, as long as
+//!    that lowers the cost.
 //!
 //! # What is known
 //! - Edges never cross: they are Delaunay.

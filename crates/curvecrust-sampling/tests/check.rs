@@ -306,7 +306,15 @@ fn a_straight_line_needs_no_samples_between_its_ends() {
         let placed = PlacedSamples::project(&measured, &samples, 0.0)
             .unwrap()
             .samples;
-        assert!(effective_epsilon(&measured, &placed).unwrap().bound <= 0.0);
+        let worst = effective_epsilon(&measured, &placed).unwrap();
+        assert!(worst.bound <= 0.0);
+        // The first of equals.
+        let first = if samples == ends {
+            [Some(0), Some(1)]
+        } else {
+            [None, Some(0)]
+        };
+        assert_eq!(worst.interval.samples, first);
         let verdict = check(&measured, &placed, Condition::rho(0.1).unwrap());
         assert!(verdict.holds() && verdict.certain);
     }

@@ -5,10 +5,13 @@
 use super::candidates::Candidates;
 use super::joins::{Joins, NONE};
 
-/// How many candidates are tried at each of the joins of a path, the first join first.
-const BREADTH: [usize; DEPTH] = [8, 8, 5, 5, 4];
-/// How many joins a path may have: five include the moves known as 2-opt, 3-opt and or-opt.
-const DEPTH: usize = 5;
+/// In how many ways a path is continued after each of its joins, the first join first: the cheapest.
+const BREADTH: [usize; DEPTH] = [5, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1];
+/// The most of them.
+const BROADEST: usize = 5;
+/// How many joins a path may have: three include the moves known as 2-opt, 3-opt and or-opt, but one
+/// strand after another is put right only by many.
+const DEPTH: usize = 12;
 /// Partings and joins of the longest path.
 const LONGEST: usize = 2 * DEPTH + 1;
 
@@ -175,14 +178,15 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Joins the end to each of its candidates.
+    /// Joins the end to each of its candidates, which ends the path in an open slot or else takes the
+    /// place of a partner.
     fn extend(&mut self, hands: Hands) {
         let candidates = self.candidates;
         let joins_so_far = self.path.len / 2;
         let Some(&breadth) = BREADTH.get(joins_so_far) else {
             return;
         };
-        let mut replaced = 0;
+        let mut cheapest = Cheapest::new(breadth);
         for &to in candidates.of(hands.end) {
             if self.joins.are_joined(hands.end, to) || self.path.parts(hands.end, to) {
                 continue;
@@ -192,11 +196,19 @@ impl<'a, 'b> Search<'a, 'b> {
                 if cost - self.joins.price(to) < self.best.cost {
                     self.fill(hands, to);
                 }
-            } else if replaced < breadth && cost < self.best.cost {
-                replaced += 1;
+            } else {
                 for partner in self.joins.partners(to) {
-                    self.replace(hands, to, partner);
+                    if let Some(next) = self.replacing(hands, to, partner)
+                        && next.cost < self.best.cost
+                    {
+                        cheapest.insert(to, next);
+                    }
                 }
+            }
+        }
+        for &(to, next) in cheapest.all() {
+            if next.cost < self.best.cost {
+                self.replace(hands.end, to, next);
             }
         }
     }
@@ -222,8 +234,9 @@ impl<'a, 'b> Search<'a, 'b> {
         self.joins.part(hands.end, to);
     }
 
-    /// Goes on by taking the place of a partner, which becomes the end.
-    fn replace(&mut self, hands: Hands, to: u32, partner: u32) {
+    /// What is in hand once the end has taken the place of a partner, which becomes the end; `None`
+    /// where it may not.
+    fn replacing(&mut self, hands: Hands, to: u32, partner: u32) -> Option<Hands> {
         let Hands { base, end, .. } = hands;
         // A terminus has one partner.
         if partner == NONE
@@ -231,33 +244,75 @@ impl<'a, 'b> Search<'a, 'b> {
             || self.joins.is_certified(to, partner)
             || self.path.joins(to, partner)
         {
-            return;
+            return None;
         }
         let in_hand = usize::from(base == Some(partner));
         let lengths = [self.joins.length(end, to), self.joins.length(to, partner)];
         let before =
             self.joins.cost(to, 0) + self.joins.cost(end, 1) + self.joins.cost(partner, in_hand);
         self.joins.part(to, partner);
-        if !self.joins.would_close_triangle(end, to) {
-            self.joins.join(end, to);
-            self.path.push(Step::Join(end, to));
-            self.path.push(Step::Part(to, partner));
-            let after = self.joins.cost(to, 0)
-                + self.joins.cost(end, 0)
-                + self.joins.cost(partner, in_hand + 1);
-            let next = Hands {
-                base,
-                end: partner,
-                cost: hands.cost + lengths[0] - lengths[1] + after - before,
-                size: hands.size + lengths[0] + lengths[1],
-            };
-            if next.cost < self.best.cost {
-                self.leave_open(next);
-                self.extend(next);
-            }
-            self.path.len -= 2;
-            self.joins.part(end, to);
-        }
+        let is_possible = !self.joins.would_close_triangle(end, to);
+        self.joins.join(end, to);
+        let after = self.joins.cost(to, 0)
+            + self.joins.cost(end, 0)
+            + self.joins.cost(partner, in_hand + 1);
+        self.joins.part(end, to);
         self.joins.join(to, partner);
+        is_possible.then(|| Hands {
+            base,
+            end: partner,
+            cost: hands.cost + lengths[0] - lengths[1] + after - before,
+            size: hands.size + lengths[0] + lengths[1],
+        })
+    }
+
+    /// Goes on with what is in hand once `end` has taken the place of a partner of `to`.
+    fn replace(&mut self, end: u32, to: u32, next: Hands) {
+        self.joins.part(to, next.end);
+        self.joins.join(end, to);
+        self.path.push(Step::Join(end, to));
+        self.path.push(Step::Part(to, next.end));
+        self.leave_open(next);
+        self.extend(next);
+        self.path.len -= 2;
+        self.joins.part(end, to);
+        self.joins.join(to, next.end);
+    }
+}
+
+/// The cheapest ways to go on, by the points that are joined.
+struct Cheapest {
+    ways: [(u32, Hands); BROADEST],
+    len: usize,
+    most: usize,
+}
+
+impl Cheapest {
+    fn new(most: usize) -> Self {
+        let nowhere = Hands {
+            base: None,
+            end: NONE,
+            cost: f64::INFINITY,
+            size: 0.0,
+        };
+        Self {
+            ways: [(NONE, nowhere); BROADEST],
+            len: 0,
+            most,
+        }
+    }
+
+    /// Of equals, the first stays.
+    fn insert(&mut self, to: u32, next: Hands) {
+        let at = self.all().partition_point(|(_, way)| way.cost <= next.cost);
+        if at < self.most {
+            self.len = (self.len + 1).min(self.most);
+            self.ways[at..self.len].rotate_right(1);
+            self.ways[at] = (to, next);
+        }
+    }
+
+    fn all(&self) -> &[(u32, Hands)] {
+        &self.ways[..self.len]
     }
 }
