@@ -26,8 +26,16 @@ fn partners(edges: &EdgeSet, v: PointId) -> Vec<PointId> {
     at.map(|e| if e.a() == v { e.b() } else { e.a() }).collect()
 }
 
+/// |vp| + |vq| - |pq|, where p is the nearer: |vq| - |pq| is nothing but rounding when vp is tiny.
 fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
-    v.distance(p) + v.distance(q) - p.distance(q)
+    let (a, b) = (p - v, q - v);
+    let [a, b] = if a.length() <= b.length() {
+        [a, b]
+    } else {
+        [b, a]
+    };
+    let difference = a.dot(2.0 * b - a) / (b.length() + p.distance(q));
+    a.length() + difference
 }
 
 impl<'a> Definition<'a> {
