@@ -33,6 +33,10 @@ const REACH: f64 = 2.0;
 /// be large.
 const JUMP: f64 = 20.0;
 
+/// Two points in a row that are closer than this fraction of the distance to the next count as one: of
+/// two almost equal curves the neighbours along them are wanted too.
+const COINCIDENT: f64 = 1e-6;
+
 /// Makes the choices of one task, those of the points from `TASK * task` on.
 #[cfg_attr(
     not(feature = "portable"),
@@ -190,10 +194,23 @@ fn gaps(leaf: &Leaf) -> [f64; WIDTH] {
 }
 
 /// A mean of the distances from each point of a leaf to the closer of the ones before and after, in
-/// which those of points that lie apart count less. 0 for a single point.
+/// which those of points that lie apart count less, and those of [`COINCIDENT`] points as the next
+/// distance. 0 for a single point.
 #[inline(always)]
 fn typical_distance(gaps: &[f64; WIDTH]) -> f64 {
-    let mut squared = *gaps;
+    let known = |slot: usize| {
+        let gap = gaps[slot % WIDTH];
+        if gap < f64::INFINITY { gap } else { 0.0 }
+    };
+    let gaps: [f64; WIDTH] = std::array::from_fn(|slot| {
+        let beside = known(slot + WIDTH - 1).max(known(slot + 1));
+        if gaps[slot] < COINCIDENT * COINCIDENT * beside {
+            beside
+        } else {
+            gaps[slot]
+        }
+    });
+    let mut squared = gaps;
     for slot in 1..WIDTH {
         squared[slot - 1] = squared[slot - 1].min(gaps[slot]);
     }

@@ -68,18 +68,20 @@ impl Query {
     /// Squared distances to the boxes of the children; infinite for those outside the half-plane.
     ///
     /// Rounding is monotonic, so no point of a box is computed to be nearer than its box, or to lie
-    /// further along the half-plane's inside.
+    /// further along the half-plane's inside than its corner. By how much that corner is cut may err
+    /// by less than the limit leaves room for.
     #[inline(always)]
     fn to_boxes(&self, node: &Node) -> [f64; WIDTH] {
         let (s, normal) = (self.s, self.normal);
-        let corner = |along: f64, low, high| if along > 0.0 { low } else { high };
-        let corner_x: &[f64; WIDTH] = corner(normal.x, &node.low_x, &node.high_x);
-        let corner_y: &[f64; WIDTH] = corner(normal.y, &node.low_y, &node.high_y);
+        let side = |along: f64, low, high| if along > 0.0 { (0, low) } else { (1, high) };
+        let (right, corner_x): (_, &[f64; WIDTH]) = side(normal.x, &node.low_x, &node.high_x);
+        let (up, corner_y): (_, &[f64; WIDTH]) = side(normal.y, &node.low_y, &node.high_y);
+        let corner = right + 2 * up;
         std::array::from_fn(|i| {
             let x = gap(node.low_x[i] - s.x, s.x - node.high_x[i]);
             let y = gap(node.low_y[i] - s.y, s.y - node.high_y[i]);
             let along = (corner_x[i] - s.x) * normal.x + (corner_y[i] - s.y) * normal.y;
-            let outside = along > self.limit;
+            let outside = along + node.cut(corner, i, normal) > self.limit;
             if outside {
                 f64::INFINITY
             } else {
@@ -174,7 +176,7 @@ impl Tree {
         let Some((top, root)) = self.root() else {
             return best;
         };
-        let query = Query::new(s, plane, root.bounds());
+        let query = Query::new(s, plane, root.rect());
         let mut path = [Visit::default(); LEVELS];
         let mut level = top % LEVELS;
         path[level] = Visit::new(&query, 0, root);

@@ -3,7 +3,7 @@
 use curvecrust_geometry::DVec2;
 use rayon::prelude::*;
 
-use super::lanes::{WIDTH, bits, indices, least, most};
+use super::lanes::{WIDTH, bits, indices, least, most, reduce};
 
 /// Leaves that make a task, a multiple of 16.
 const TASK: usize = 256;
@@ -28,6 +28,47 @@ impl Rect {
         Self {
             low: self.low - margin,
             high: self.high + margin,
+        }
+    }
+
+    /// 1 / width and 1 / height, 0 where these are 0.
+    #[inline(always)]
+    fn inverse_sides(self) -> DVec2 {
+        let inverse = |x: f64| if x > 0.0 { 1.0 / x } else { 0.0 };
+        let sides = self.high - self.low;
+        DVec2::new(inverse(sides.x), inverse(sides.y))
+    }
+}
+
+/// How much of each corner of a rectangle is empty: those at low and high x below, then above.
+///
+/// A corner that is cut by `c` is farther than `c` from all points, by the sum of both distances in
+/// units of the sides of the rectangle. Points on a curve lie along a diagonal of their box: two of
+/// its corners are cut by nearly 1, and a half-plane that touches the curve does not reach the rest.
+type Cuts = [f32; 4];
+
+/// A rectangle around points, and its empty corners.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    rect: Rect,
+    cuts: Cuts,
+}
+
+impl Bounds {
+    const EMPTY: Self = Self {
+        rect: Rect::EMPTY,
+        cuts: [0.0; 4],
+    };
+
+    /// From the least and the most of u + v and of u - v, where u and v say how far points are from
+    /// the low to the high sides, from 0 to 1.
+    #[inline(always)]
+    fn new(rect: Rect, [low, high]: [f32; 2], [left, right]: [f32; 2]) -> Self {
+        // In f32, u and v err by 2^-25, their sum by 2^-23 in all.
+        let safe = |cut: f32| (cut - 4.0 * f32::EPSILON).max(0.0);
+        Self {
+            rect,
+            cuts: [low, 1.0 - right, 1.0 + left, 2.0 - high].map(safe),
         }
     }
 }
@@ -59,11 +100,22 @@ impl Leaf {
     }
 
     #[inline(always)]
-    fn bounds(&self) -> Rect {
-        Rect {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "cuts are taken smaller by more"
+    )]
+    fn bounds(&self) -> Bounds {
+        let rect = Rect {
             low: DVec2::new(least(&self.x), least(&self.y)),
             high: DVec2::new(most(&self.x), most(&self.y)),
-        }
+        };
+        let unit = rect.inverse_sides();
+        let u: [f32; WIDTH] = std::array::from_fn(|i| ((self.x[i] - rect.low.x) * unit.x) as f32);
+        let v: [f32; WIDTH] = std::array::from_fn(|i| ((self.y[i] - rect.low.y) * unit.y) as f32);
+        let sums = std::array::from_fn(|i| u[i] + v[i]);
+        let differences = std::array::from_fn(|i| u[i] - v[i]);
+        let range = |of: &[f32; WIDTH]| [reduce(of, f32::min), reduce(of, f32::max)];
+        Bounds::new(rect, range(&sums), range(&differences))
     }
 
     /// The bounding box of the points in some slots.
@@ -95,28 +147,71 @@ pub(super) struct Node {
     pub(super) low_y: [f64; WIDTH],
     pub(super) high_x: [f64; WIDTH],
     pub(super) high_y: [f64; WIDTH],
+    /// The cuts of all children, corner by corner.
+    cuts: [[f32; WIDTH]; 4],
 }
 
 impl Node {
-    fn over(children: impl Iterator<Item = Rect>) -> Self {
-        let mut rects = [Rect::EMPTY; WIDTH];
-        for (rect, child) in rects.iter_mut().zip(children) {
-            *rect = child;
+    #[inline(always)]
+    fn over<T>(children: &[T], bounds: impl Fn(&T) -> Bounds) -> Self {
+        let mut all = [Bounds::EMPTY; WIDTH];
+        for (all, child) in all.iter_mut().zip(children) {
+            *all = bounds(child);
         }
         Self {
-            low_x: rects.map(|r| r.low.x),
-            low_y: rects.map(|r| r.low.y),
-            high_x: rects.map(|r| r.high.x),
-            high_y: rects.map(|r| r.high.y),
+            low_x: all.map(|b| b.rect.low.x),
+            low_y: all.map(|b| b.rect.low.y),
+            high_x: all.map(|b| b.rect.high.x),
+            high_y: all.map(|b| b.rect.high.y),
+            cuts: std::array::from_fn(|corner| all.map(|b| b.cuts[corner])),
         }
     }
 
     #[inline(always)]
-    pub(super) fn bounds(&self) -> Rect {
+    pub(super) fn rect(&self) -> Rect {
         Rect {
             low: DVec2::new(least(&self.low_x), least(&self.low_y)),
             high: DVec2::new(most(&self.high_x), most(&self.high_y)),
         }
+    }
+
+    /// How much less of a child the cut of a corner leaves in the direction of that corner: what
+    /// adds to the least product with a normal of its points.
+    #[inline(always)]
+    pub(super) fn cut(&self, corner: usize, i: usize, normal: DVec2) -> f64 {
+        let x = (self.high_x[i] - self.low_x[i]) * normal.x.abs();
+        let y = (self.high_y[i] - self.low_y[i]) * normal.y.abs();
+        f64::from(self.cuts[corner][i]) * if x < y { x } else { y }
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "cuts are taken smaller by more"
+    )]
+    fn bounds(&self) -> Bounds {
+        let rect = self.rect();
+        let unit = rect.inverse_sides();
+        let u = |x: f64| (x - rect.low.x) * unit.x;
+        let v = |y: f64| (y - rect.low.y) * unit.y;
+        let extreme = |[x, y]: [&[f64; WIDTH]; 2], sign: f64, corner: usize, inwards: f64| {
+            let all: [f64; WIDTH] = std::array::from_fn(|i| {
+                u(x[i]) + sign * v(y[i]) + inwards * self.cut(corner, i, unit)
+            });
+            (if inwards > 0.0 {
+                least(&all)
+            } else {
+                most(&all)
+            }) as f32
+        };
+        let sums = [
+            extreme([&self.low_x, &self.low_y], 1.0, 0, 1.0),
+            extreme([&self.high_x, &self.high_y], 1.0, 3, -1.0),
+        ];
+        let differences = [
+            extreme([&self.low_x, &self.high_y], -1.0, 2, 1.0),
+            extreme([&self.high_x, &self.low_y], -1.0, 1, -1.0),
+        ];
+        Bounds::new(rect, sums, differences)
     }
 
     /// The children whose boxes meet a rectangle, as bits.
@@ -129,6 +224,18 @@ impl Node {
                 & (self.high_y[i] >= rect.low.y)
         })
     }
+}
+
+/// The node over up to 16 leaves.
+#[cfg_attr(
+    not(feature = "portable"),
+    multiversion::multiversion(targets(
+        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
+        "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
+    ))
+)]
+fn parent(leaves: &[Leaf]) -> Node {
+    Node::over(leaves, |leaf| leaf.bounds())
 }
 
 /// Points in spatial order, 16 to a leaf, under nodes of 16 children. Child `c` of node `i` of a
@@ -147,12 +254,11 @@ impl Tree {
         let leaf = |indices: &[u32]| Leaf::new(indices.iter().map(|&i| points[i as usize]));
         let chunks = order.par_chunks(WIDTH).with_min_len(TASK);
         let leaves: Vec<Leaf> = chunks.map(leaf).collect();
-        let parent = |leaves: &[Leaf]| Node::over(leaves.iter().map(Leaf::bounds));
         let chunks = leaves.par_chunks(WIDTH).with_min_len(TASK / WIDTH);
         let mut level: Vec<Node> = chunks.map(parent).collect();
         let mut levels = Vec::new();
         while level.len() > 1 {
-            let parent = |nodes: &[Node]| Node::over(nodes.iter().map(Node::bounds));
+            let parent = |nodes: &[Node]| Node::over(nodes, Node::bounds);
             let above = level.chunks(WIDTH).map(parent).collect();
             levels.push(std::mem::replace(&mut level, above));
         }
@@ -219,4 +325,83 @@ impl Tree {
 pub(super) struct Room {
     now: [u32; 32],
     next: [u32; 32],
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// On a grid, on a curve, on a line, or close to a line.
+    fn points() -> impl Strategy<Value = Vec<DVec2>> {
+        let grid = (0..9i32, 0..9i32).prop_map(|(x, y)| DVec2::new(x.into(), y.into()));
+        let curve = (0.0..1.0).prop_map(|t: f64| DVec2::from_angle(6.0 * t) * (1.0 + t));
+        let line = (0.0..1.0).prop_map(|t: f64| DVec2::new(3.0 * t, 5.0));
+        let near_line =
+            (0.0..1.0, 0.0..1e-9).prop_map(|(t, y): (f64, f64)| DVec2::new(-t, 2.0 * t + y));
+        let some = |one| prop::collection::vec(one, 1..600);
+        prop_oneof![
+            some(grid.boxed()),
+            some(curve.boxed()),
+            some(line.boxed()),
+            some(near_line.boxed())
+        ]
+    }
+
+    /// How far the nearest of the points is from a corner, in units of the sides.
+    fn from_corner(points: &[DVec2], rect: Rect, corner: usize) -> f64 {
+        let at = [rect.low.x, rect.high.x][corner % 2];
+        let beside = [rect.low.y, rect.high.y][corner / 2];
+        let unit = rect.inverse_sides();
+        let distance = |p: &DVec2| (p.x - at).abs() * unit.x + (p.y - beside).abs() * unit.y;
+        points.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #[test]
+        fn no_point_lies_in_a_corner_that_is_cut(points in points()) {
+            let order: Vec<u32> = (0..).take(points.len()).collect();
+            let tree = Tree::new(&points, &order);
+            for (level, nodes) in tree.levels.iter().enumerate() {
+                let per_child = WIDTH.pow(u32::try_from(level).unwrap() + 1);
+                let children = nodes.iter().flat_map(|node| (0..WIDTH).map(move |i| (node, i)));
+                for ((node, i), points) in children.zip(points.chunks(per_child)) {
+                    let rect = Rect {
+                        low: DVec2::new(node.low_x[i], node.low_y[i]),
+                        high: DVec2::new(node.high_x[i], node.high_y[i]),
+                    };
+                    prop_assume!(rect.low.x < rect.high.x && rect.low.y < rect.high.y);
+                    for corner in 0..4 {
+                        let (cut, distance) =
+                            (f64::from(node.cuts[corner][i]), from_corner(points, rect, corner));
+                        prop_assert!(cut <= distance);
+                        // Of leaves all of it, but for rounding.
+                        prop_assert!(level > 0 || cut >= distance - 1e-6);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Of a circle, boxes at every level reach hardly out of it.
+    #[test]
+    fn the_corners_of_arcs_are_cut() {
+        let count = 1 << 14;
+        let at =
+            |i: u32| DVec2::from_angle(f64::from(i) / f64::from(count) * std::f64::consts::TAU);
+        let points: Vec<DVec2> = (0..count).map(at).collect();
+        let order: Vec<u32> = (0..count).collect();
+        let tree = Tree::new(&points, &order);
+        // At 45 degrees: how far what is left of each child is from the tangent.
+        let normal = DVec2::splat(-std::f64::consts::FRAC_1_SQRT_2);
+        for (level, width) in [(0, 16), (1, 256)] {
+            let child = count as usize / 8 / width;
+            let (node, i) = (&tree.levels[level][child / WIDTH], child % WIDTH);
+            let corner = DVec2::new(node.high_x[i], node.high_y[i]).dot(normal) + 1.0;
+            let angle = width as f64 / f64::from(count) * std::f64::consts::TAU;
+            assert!(corner < -0.4 * angle);
+            assert!(corner + node.cut(3, i, normal) > -angle * angle, "{level}");
+        }
+    }
 }
