@@ -187,7 +187,7 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
                 from,
                 beyond(from, to, gaps.len()),
             );
-        } else if place(last) < end || first == last && gaps.len() == 0 {
+        } else {
             measure([Some(last), None], place(last), end);
         }
     }

@@ -256,7 +256,16 @@ fn samples_out_of_place_are_refused() {
     };
     assert_eq!(refused, same);
     assert!(PlacedSamples::project(&arch, &[DVec2::NAN], 0.1).is_err());
-    assert!(PlacedSamples::project(&arch, &off, f64::NAN).is_err());
+    for bad in [f64::NAN, -1.0, f64::INFINITY] {
+        let refused = PlacedSamples::project(&arch, &[DVec2::ZERO], bad).unwrap_err();
+        assert!(matches!(
+            refused,
+            SamplingError::Parameter {
+                name: "tolerance",
+                ..
+            }
+        ));
+    }
 
     let backwards = [DVec2::new(6.0, 0.0), DVec2::new(3.0, 3.01), DVec2::ZERO];
     let projected = PlacedSamples::project(&arch, &backwards, 0.1).unwrap();

@@ -143,10 +143,26 @@ fn random_corners(random: &mut Random) -> SplitCurve {
     SplitCurve::new(vec![Component::new(arcs.collect(), true)]).unwrap()
 }
 
+/// How many corners are farther from one of their neighbours than those are from each other, and clearly farther than
+/// from the other one: HNN-Crust would join the neighbours.
+fn uneven_corners(split: &SplitCurve, sampling: &SplitSampling) -> usize {
+    let points = sampling.samples.points();
+    let at = |corner: DVec2| points.iter().position(|&p| p == corner).unwrap();
+    let n = points.len();
+    let is_uneven = |&i: &usize| {
+        let (s, t) = (points[(i + n - 1) % n], points[(i + 1) % n]);
+        let [to_s, to_t] = [s, t].map(|p| points[i].distance(p));
+        let far = to_s.max(to_t);
+        far >= s.distance(t) && far >= 1.02 * to_s.min(to_t)
+    };
+    let corners = split.corners().iter().map(|corner| at(corner.at));
+    corners.filter(is_uneven).count()
+}
+
 #[test]
 fn most_random_corners_are_reconstructed() {
     let mut random = Random::new(60);
-    let (mut done, mut exact) = (0, 0);
+    let (mut done, mut exact, mut corners, mut uneven) = (0, 0, 0, 0);
     while done < 200 {
         let split = random_corners(&mut random);
         if split.corners().iter().any(|c| c.angle_deg > 118.0) {
@@ -155,7 +171,10 @@ fn most_random_corners_are_reconstructed() {
         let sampling = sampled(&split, Condition::rho(0.9).unwrap());
         done += 1;
         exact += usize::from(is_reconstructed(&sampling));
+        corners += split.corners().len();
+        uneven += uneven_corners(&split, &sampling);
     }
+    assert!(uneven <= corners / 200, "{uneven} of {corners}");
     // No theorem says so: arms that bend towards each other are what fails.
     assert!(exact >= 195, "{exact}");
 }

@@ -147,3 +147,40 @@ impl<'a> Chains<'a> {
         sampled
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chain(closed: bool, samples: &[usize]) -> Chain {
+        Chain {
+            closed,
+            samples: samples.to_vec(),
+            range: 10..30,
+        }
+    }
+
+    #[test]
+    fn closed_chains_go_on_behind_their_last_point() {
+        let (closed, open) = (chain(true, &[25, 12, 19]), chain(false, &[10, 14, 29]));
+        let ends = [Some(25), Some(12), Some(19)];
+        for at in 0..3 {
+            let [before, after] = [ends[(at + 2) % 3], ends[(at + 1) % 3]];
+            assert_eq!(closed.neighbours(at), [before, after]);
+        }
+        assert_eq!(open.neighbours(0), [None, Some(14)]);
+        assert_eq!(open.neighbours(1), [Some(10), Some(29)]);
+        assert_eq!(open.neighbours(2), [Some(14), None]);
+        for (from, to, between) in [
+            (12, 19, 6),
+            (12, 13, 0),
+            (25, 12, 6),
+            (29, 10, 0),
+            (12, 12, 19),
+        ] {
+            assert_eq!(closed.between(from, to), between);
+            // One point after the last of them is the other sample.
+            assert_eq!(closed.after(from, between + 1), to);
+        }
+    }
+}
