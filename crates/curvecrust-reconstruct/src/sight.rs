@@ -37,6 +37,11 @@ impl Sight {
         if dot.abs() > error {
             return dot > 0.0;
         }
+        self.is_acute_exactly()
+    }
+
+    #[cold]
+    fn is_acute_exactly(&self) -> bool {
         let points = [self.p, self.q, self.from];
         match small_integers(points, 2) {
             Some(points) => cosine(&points).is_positive(),
@@ -63,6 +68,11 @@ impl Sight {
         if estimate.abs() > error {
             return estimate > 0.0;
         }
+        self.sums_to_right_angle_at_most_exactly(other)
+    }
+
+    #[cold]
+    fn sums_to_right_angle_at_most_exactly(&self, other: &Self) -> bool {
         // Both edges are pq, in either direction.
         let points = [self.p, self.q, self.from, other.from];
         match small_integers(points, 4) {
