@@ -1,5 +1,6 @@
 //! Nearest and half neighbours: the local step of HNN-Crust and NN-Crust.
 
+mod bounds;
 mod candidates;
 mod edges;
 mod half_plane;

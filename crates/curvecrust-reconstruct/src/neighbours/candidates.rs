@@ -2,10 +2,11 @@
 
 use curvecrust_geometry::DVec2;
 
+use super::bounds::Rect;
 use super::half_plane::{ERROR, HalfPlane};
 use super::lanes::indices;
 use super::search::Best;
-use super::tree::{Leaf, Rect};
+use super::tree::Leaf;
 
 /// Points for which candidates are compared in one pass: few enough to stay in registers.
 pub(super) const LANES: usize = 8;

@@ -8,11 +8,12 @@
 use curvecrust_geometry::DVec2;
 
 use super::HalfRule;
+use super::bounds::Rect;
 use super::candidates::{Candidates, LANES, at_most, is_closer};
 use super::half_plane::HalfPlane;
 use super::lanes::{WIDTH, bits, sum};
 use super::search::{Best, NONE};
-use super::tree::{Leaf, Rect, Room, Tree};
+use super::tree::{Leaf, Room, Tree};
 
 /// Positions of the nearest and the half neighbour in the spatial order, or [`NONE`].
 pub(super) type Choice = [u32; 2];

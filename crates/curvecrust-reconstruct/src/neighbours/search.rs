@@ -3,9 +3,10 @@
 use curvecrust_geometry::DVec2;
 use curvecrust_geometry::point_set::by_coordinates;
 
+use super::bounds::Rect;
 use super::half_plane::{ERROR, HalfPlane};
 use super::lanes::{WIDTH, bits, indices};
-use super::tree::{Leaf, Node, Rect, Tree};
+use super::tree::{Leaf, Node, Tree};
 
 /// Levels of nodes, a power of two: 2^32 points in leaves of 16 have seven.
 const LEVELS: usize = 8;
