@@ -1,6 +1,9 @@
 //! Exchanges of edges along alternating paths, after S. Lin, B. W. Kernighan, "An Effective Heuristic
 //! Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here without the
 //! demand that the result be one tour, so that every alternating path is an exchange.
+//!
+//! They go on with a path while what it has parted outweighs what it has joined. Here what it parts
+//! next counts too: a long edge in the place of two others would not be found otherwise.
 
 use super::candidates::Candidates;
 use super::joins::{Joins, NONE};
