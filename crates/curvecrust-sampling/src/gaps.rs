@@ -303,13 +303,17 @@ struct Interval {
 }
 
 impl Interval {
+    /// How far every point of a run may be from the nearer sample.
+    fn allowed(&self, run: Run) -> f64 {
+        SAFE * match self.condition.bound() {
+            Bound::Epsilon(epsilon) => epsilon * run.lfs,
+            Bound::Rho(rho) => rho * self.reach,
+        }
+    }
+
     /// Whether the condition holds along a run, if one sample is the nearer one all along it.
     fn holds_on(&self, run: Run, [start, end]: [DVec2; 2]) -> bool {
-        let allowed =
-            SAFE * match self.condition.bound() {
-                Bound::Epsilon(epsilon) => epsilon * run.lfs,
-                Bound::Rho(rho) => rho * self.reach,
-            } - run.bulge;
+        let allowed = self.allowed(run) - run.bulge;
         let squared = allowed * allowed;
         let near =
             |s: DVec2| s.distance_squared(start) < squared && s.distance_squared(end) < squared;
@@ -319,20 +323,13 @@ impl Interval {
     }
 
     /// Whether the condition holds along a gap, whichever sample is nearer to its points: the
-    /// distance to the nearer one grows, and lfs falls, from either end by no more than the length of
-    /// the arc.
+    /// distance to the nearer one grows from either end by no more than the length of the arc.
     fn holds_where_the_nearer_changes(&self, gaps: &Gaps, at: usize) -> bool {
         let [start, end] = [gaps.point(at), gaps.point(at + 1)];
-        let (lfs, arc) = ([gaps.lfs(at), gaps.lfs(at + 1)], gaps.arc(at));
         let nearer = |p: DVec2| p.distance(self.ends[0]).min(p.distance(self.ends[1]));
-        let (before, after) = (nearer(start), nearer(end));
-        let holds = match self.condition.bound() {
-            Bound::Epsilon(epsilon) => {
-                before + after + arc < SAFE * epsilon * (lfs[0] + lfs[1] - arc)
-            }
-            Bound::Rho(rho) => before + after + arc < SAFE * rho * 2.0 * self.reach,
-        };
-        holds && self.keeps_limit(gaps.gap(at), [start, end])
+        let farthest = (nearer(start) + nearer(end) + gaps.arc(at)) / 2.0;
+        let run = gaps.gap(at);
+        farthest < self.allowed(run) && self.keeps_limit(run, [start, end])
     }
 
     fn keeps_limit(&self, run: Run, ends: [DVec2; 2]) -> bool {

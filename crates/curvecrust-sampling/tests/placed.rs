@@ -1,9 +1,9 @@
-//! Projection by brute force, and the ends of components.
+//! Projection by brute force, the ends of components, and places that are none.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
 mod common;
 
-use common::Random;
+use common::{Random, arch};
 use curvecrust_curve::Curve;
 use curvecrust_geometry::{DVec2, Segment};
 use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
@@ -116,4 +116,68 @@ fn only_closed_components_go_on_behind_their_last_point() {
         component: 0,
     };
     assert_eq!(refused, Err(expected));
+}
+
+#[test]
+fn samples_out_of_place_are_refused() {
+    let arch = arch();
+    let place = |dense, t| Placement {
+        point: arch.dense().points()[dense],
+        dense,
+        t,
+    };
+    let last = arch.dense().len() - 1;
+    let out_of_order = Err(SamplingError::OutOfOrder {
+        index: 2,
+        component: 0,
+    });
+    for second in [place(3, 0.0), place(3, 0.5), place(7, 0.5)] {
+        let samples = vec![place(1, 0.0), place(7, 0.5), second];
+        assert_eq!(PlacedSamples::new(&arch, samples), out_of_order);
+    }
+    for bad in [place(last, 0.5), place(0, 1.0), place(0, f64::NAN)] {
+        let refused = PlacedSamples::new(&arch, vec![bad]);
+        assert!(matches!(
+            refused,
+            Err(SamplingError::NoSuchPlace { index: 0, .. })
+        ));
+    }
+
+    let off = [DVec2::ZERO, DVec2::new(3.0, 3.5)];
+    let refused = PlacedSamples::project(&arch, &off, 0.1).unwrap_err();
+    let SamplingError::OffCurve {
+        index,
+        at,
+        distance,
+        ..
+    } = refused
+    else {
+        panic!("{refused}");
+    };
+    assert!((index, at) == (1, off[1]) && (distance - 0.5).abs() < 1e-3);
+
+    // Both before the start: the place of both is the start.
+    let twice = [DVec2::new(6.0, 0.0), DVec2::new(0.0, -0.1), DVec2::ZERO];
+    let refused = PlacedSamples::project(&arch, &twice, 0.1).unwrap_err();
+    let same = SamplingError::SamePlace {
+        samples: [1, 2],
+        at: twice[1],
+    };
+    assert_eq!(refused, same);
+    assert!(PlacedSamples::project(&arch, &[DVec2::NAN], 0.1).is_err());
+    for bad in [f64::NAN, -1.0, f64::INFINITY] {
+        let refused = PlacedSamples::project(&arch, &[DVec2::ZERO], bad).unwrap_err();
+        assert!(matches!(
+            refused,
+            SamplingError::Parameter {
+                name: "tolerance",
+                ..
+            }
+        ));
+    }
+
+    let backwards = [DVec2::new(6.0, 0.0), DVec2::new(3.0, 3.01), DVec2::ZERO];
+    let projected = PlacedSamples::project(&arch, &backwards, 0.1).unwrap();
+    assert_eq!(projected.indices, [2, 1, 0]);
+    assert!((projected.distances[1] - 0.01).abs() < 1e-4);
 }

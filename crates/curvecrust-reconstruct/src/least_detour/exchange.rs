@@ -11,7 +11,7 @@ use super::joins::{Joins, NONE};
 /// In how many ways a path is continued after each of its joins, the first join first: the cheapest.
 const BREADTH: [usize; DEPTH] = [5, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1];
 /// The most of them.
-const BROADEST: usize = 5;
+const BROADEST: usize = BREADTH[0];
 /// How many joins a path may have: three include the moves known as 2-opt, 3-opt and or-opt, but one
 /// strand after another is put right only by many.
 const DEPTH: usize = 12;

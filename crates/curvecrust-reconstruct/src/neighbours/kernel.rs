@@ -11,7 +11,7 @@ use super::HalfRule;
 use super::bounds::Rect;
 use super::candidates::{Candidates, LANES, at_most, is_closer};
 use super::half_plane::HalfPlane;
-use super::lanes::{WIDTH, bits, sum};
+use super::lanes::{WIDTH, bits, compiled_for_each_processor, sum};
 use super::search::{Best, NONE};
 use super::tree::{Leaf, Room, Tree};
 
@@ -38,24 +38,19 @@ const JUMP: f64 = 20.0;
 /// two almost equal curves the neighbours along them are wanted too.
 const COINCIDENT: f64 = 1e-6;
 
-/// Makes the choices of one task, those of the points from `TASK * task` on.
-#[cfg_attr(
-    not(feature = "portable"),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
-        "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
-    ))
-)]
-pub(super) fn choose(tree: &Tree, rule: HalfRule, task: usize, choices: &mut [Choice]) {
-    let mut kernel = Kernel {
-        tree,
-        rule,
-        candidates: Candidates::new(),
-        room: Room::default(),
-    };
-    let leaves = tree.leaves().iter().skip(LEAVES * task);
-    for (leaf, choices) in leaves.zip(choices.chunks_mut(WIDTH)) {
-        kernel.choose(leaf, choices);
+compiled_for_each_processor! {
+    /// Makes the choices of one task, those of the points from `TASK * task` on.
+    pub(super) fn choose(tree: &Tree, rule: HalfRule, task: usize, choices: &mut [Choice]) {
+        let mut kernel = Kernel {
+            tree,
+            rule,
+            candidates: Candidates::new(),
+            room: Room::default(),
+        };
+        let leaves = tree.leaves().iter().skip(LEAVES * task);
+        for (leaf, choices) in leaves.zip(choices.chunks_mut(WIDTH)) {
+            kernel.choose(leaf, choices);
+        }
     }
 }
 

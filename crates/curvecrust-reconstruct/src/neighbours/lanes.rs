@@ -3,6 +3,22 @@
 /// Points of a leaf, and children of a node.
 pub(super) const WIDTH: usize = 16;
 
+/// A function compiled for AVX-512, for AVX2 and for all processors, of which one is chosen at run time; what it
+/// calls has to be inlined. With the feature `portable` once only.
+macro_rules! compiled_for_each_processor {
+    ($function:item) => {
+        #[cfg_attr(
+            not(feature = "portable"),
+            multiversion::multiversion(targets(
+                "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
+                "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
+            ))
+        )]
+        $function
+    };
+}
+pub(super) use compiled_for_each_processor;
+
 /// Combines all values by halves: vectors with vectors, not one number after the other.
 #[inline(always)]
 pub(super) fn reduce<T: Copy>(v: &[T; WIDTH], combine: impl Fn(T, T) -> T) -> T {

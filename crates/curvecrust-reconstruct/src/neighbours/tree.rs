@@ -4,7 +4,7 @@ use curvecrust_geometry::DVec2;
 use rayon::prelude::*;
 
 use super::bounds::{Bounds, Rect};
-use super::lanes::{WIDTH, bits, indices, least, most, reduce};
+use super::lanes::{WIDTH, bits, compiled_for_each_processor, indices, least, most, reduce};
 
 /// Leaves that make a task, a multiple of 16.
 const TASK: usize = 256;
@@ -111,8 +111,8 @@ impl Node {
         }
     }
 
-    /// How much less of a child the cut of a corner leaves in the direction of that corner: what
-    /// adds to the least product with a normal of its points.
+    /// By how much the least product of a normal with points of a child, measured from the corner
+    /// that the normal points away from, is above 0 because that corner is cut.
     #[inline(always)]
     pub(super) fn cut(&self, corner: usize, i: usize, normal: DVec2) -> f64 {
         let x = (self.high_x[i] - self.low_x[i]) * normal.x.abs();
@@ -129,25 +129,19 @@ impl Node {
         let unit = rect.inverse_sides();
         let u = |x: f64| (x - rect.low.x) * unit.x;
         let v = |y: f64| (y - rect.low.y) * unit.y;
-        let extreme = |[x, y]: [&[f64; WIDTH]; 2], sign: f64, corner: usize, inwards: f64| {
-            let all: [f64; WIDTH] = std::array::from_fn(|i| {
-                u(x[i]) + sign * v(y[i]) + inwards * self.cut(corner, i, unit)
-            });
-            (if inwards > 0.0 {
-                least(&all)
-            } else {
-                most(&all)
-            }) as f32
-        };
+        let (low_u, low_v) = (self.low_x.map(u), self.low_y.map(v));
+        let (high_u, high_v) = (self.high_x.map(u), self.high_y.map(v));
+        let cut = |corner, i| self.cut(corner, i, unit);
         let sums = [
-            extreme([&self.low_x, &self.low_y], 1.0, 0, 1.0),
-            extreme([&self.high_x, &self.high_y], 1.0, 3, -1.0),
+            least(&std::array::from_fn(|i| low_u[i] + low_v[i] + cut(0, i))),
+            most(&std::array::from_fn(|i| high_u[i] + high_v[i] - cut(3, i))),
         ];
         let differences = [
-            extreme([&self.low_x, &self.high_y], -1.0, 2, 1.0),
-            extreme([&self.high_x, &self.low_y], -1.0, 1, -1.0),
+            least(&std::array::from_fn(|i| low_u[i] - high_v[i] + cut(2, i))),
+            most(&std::array::from_fn(|i| high_u[i] - low_v[i] - cut(1, i))),
         ];
-        Bounds::new(rect, sums, differences)
+        let rounded = |range: [f64; 2]| range.map(|x| x as f32);
+        Bounds::new(rect, rounded(sums), rounded(differences))
     }
 
     /// The children whose boxes meet a rectangle, as bits.
@@ -162,16 +156,11 @@ impl Node {
     }
 }
 
-/// The node over up to 16 leaves.
-#[cfg_attr(
-    not(feature = "portable"),
-    multiversion::multiversion(targets(
-        "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+lzcnt+popcnt",
-        "x86_64+avx2+bmi1+bmi2+lzcnt+popcnt"
-    ))
-)]
-fn parent(leaves: &[Leaf]) -> Node {
-    Node::over(leaves, |leaf| leaf.bounds())
+compiled_for_each_processor! {
+    /// The node over up to 16 leaves.
+    fn parent(leaves: &[Leaf]) -> Node {
+        Node::over(leaves, |leaf| leaf.bounds())
+    }
 }
 
 /// Points in spatial order, 16 to a leaf, under nodes of 16 children. Child `c` of node `i` of a

@@ -194,11 +194,8 @@ impl Choice {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test may panic")]
-
     use std::f64::consts::TAU;
 
-    use curvecrust_reconstruct::hnn_crust;
     use proptest::prelude::*;
 
     use super::*;
@@ -227,20 +224,6 @@ mod tests {
         })
     }
 
-    /// Whether HNN-Crust joins every chain, and nothing else.
-    fn are_reconstructed(chains: &Chains, points: &[DVec2]) -> bool {
-        let closed = chains.chains.iter().map(|c| (&c.samples, c.closed));
-        let edges = closed.flat_map(|(samples, closed)| {
-            let next = samples.iter().cycle().skip(1);
-            let joined = samples.len() - usize::from(!closed);
-            samples.iter().zip(next).take(joined).map(|(&s, &next)| {
-                Edge::new(PointId::new(s).unwrap(), PointId::new(next).unwrap()).unwrap()
-            })
-        });
-        let edges = EdgeSet::new(points.len(), edges.collect::<Vec<_>>());
-        hnn_crust(&PointSet::new(points.to_vec()).unwrap()) == edges
-    }
-
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4_000))]
 
@@ -252,7 +235,8 @@ mod tests {
         ) {
             let chains = Chains::of_samples(&points, &shape);
             let all_choose = chains.places().all(|place| chooses_its_neighbours(&chains, place));
-            let found = are_reconstructed(&chains, &points);
+            let full = Oracle::new(&HnnCrust::MUTUAL, DeviationLimit::None, &[]);
+            let found = full.reconstructs(&chains);
             if shape.iter().all(|&(_, closed)| closed) {
                 prop_assert_eq!(all_choose, found);
             } else {

@@ -11,6 +11,7 @@ use std::path::Path;
 
 use curvecrust_curve::{Component, CubicBezier, Curve};
 use curvecrust_geometry::DVec2;
+use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
 
 /// A small generator of seeded numbers (SplitMix64).
 pub struct Random(u64);
@@ -131,4 +132,16 @@ fn chain(random: &mut Random) -> Vec<CubicBezier> {
         ])
     };
     (0..n).map(piece).collect()
+}
+
+/// An open arch from (0, 0) to (6, 0).
+pub fn arch() -> Measured {
+    let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
+    measure(
+        &curve,
+        Discretisation::Adaptive { gap_to_lfs: 0.01 },
+        Estimator::Voronoi,
+        &|_, _| {},
+    )
+    .unwrap()
 }
