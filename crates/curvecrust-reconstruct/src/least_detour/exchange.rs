@@ -15,8 +15,8 @@ const BROADEST: usize = BREADTH[0];
 /// How many joins a path may have: three include the moves known as 2-opt, 3-opt and or-opt, but one
 /// strand after another is put right only by many.
 const DEPTH: usize = 12;
-/// Partings and joins of the longest path.
-const LONGEST: usize = 2 * DEPTH + 1;
+/// Partings and joins of the longest path: it may begin with two partings.
+const LONGEST: usize = 2 * DEPTH + 2;
 
 /// An exchange lowers the cost if it does so by more than this fraction of the lengths in it: more
 /// than rounding could feign, so that no exchange is ever undone by another.
@@ -86,6 +86,8 @@ pub(super) struct Search<'a, 'b> {
 struct Hands {
     base: Option<u32>,
     end: u32,
+    /// How many joins led here.
+    joins: usize,
     /// What the path adds to the cost, with no price for the slots in hand.
     cost: f64,
     /// Of the lengths that add up to it.
@@ -112,15 +114,48 @@ impl<'a, 'b> Search<'a, 'b> {
         (self.best.path.len > 0).then_some(self.best)
     }
 
-    /// Exchanges that begin at a point: by parting it from a partner that is not certified, or by
-    /// finding one for an open slot.
+    /// Exchanges that begin at a point: by parting it from a partner that is not certified, or from
+    /// both, or by finding one for an open slot.
     pub(super) fn from(mut self, v: u32) -> Self {
-        for partner in self.joins.partners(v) {
-            if partner != NONE && !self.joins.is_certified(v, partner) {
+        let partners = self.joins.partners(v);
+        let may_go = |p: u32, joins: &Joins| p != NONE && !joins.is_certified(v, p);
+        for partner in partners {
+            if may_go(partner, self.joins) {
                 self = self.without(v, partner);
             }
         }
+        if partners.into_iter().all(|p| may_go(p, self.joins)) {
+            let [p, q] = partners;
+            self = self.alone(v, [p, q]).alone(v, [q, p]);
+        }
         self.filling(v)
+    }
+
+    /// Exchanges that begin by parting a point from both partners, which are then in hand.
+    fn alone(mut self, v: u32, [p, q]: [u32; 2]) -> Self {
+        let length = self.joins.length(v, p) + self.joins.length(v, q);
+        let cost = |joins: &Joins, in_hand| {
+            joins.cost(v, 0) + joins.cost(p, in_hand) + joins.cost(q, in_hand)
+        };
+        let before = cost(self.joins, 0);
+        for partner in [p, q] {
+            self.joins.part(v, partner);
+            self.path.push(Step::Part(v, partner));
+        }
+        let hands = Hands {
+            base: Some(p),
+            end: q,
+            joins: 0,
+            cost: cost(self.joins, 1) - before - length,
+            size: length,
+        };
+        self.leave_open(hands);
+        self.extend(hands);
+        self.path.len -= 2;
+        for partner in [p, q] {
+            self.joins.join(v, partner);
+        }
+        self
     }
 
     /// Exchanges that begin by parting two points that are joined.
@@ -133,6 +168,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let hands = Hands {
             base: Some(v),
             end: w,
+            joins: 0,
             cost: after - before - length,
             size: length,
         };
@@ -150,6 +186,7 @@ impl<'a, 'b> Search<'a, 'b> {
             self.extend(Hands {
                 base: None,
                 end: v,
+                joins: 0,
                 cost: -price,
                 size: price,
             });
@@ -185,8 +222,7 @@ impl<'a, 'b> Search<'a, 'b> {
     /// place of a partner.
     fn extend(&mut self, hands: Hands) {
         let candidates = self.candidates;
-        let joins_so_far = self.path.len / 2;
-        let Some(&breadth) = BREADTH.get(joins_so_far) else {
+        let Some(&breadth) = BREADTH.get(hands.joins) else {
             return;
         };
         let mut cheapest = Cheapest::new(breadth);
@@ -198,6 +234,11 @@ impl<'a, 'b> Search<'a, 'b> {
             if self.joins.is_open(to) {
                 if cost - self.joins.price(to) < self.best.cost {
                     self.fill(hands, to);
+                }
+                if let Some(next) = self.passing(hands, to)
+                    && next.cost < self.best.cost
+                {
+                    cheapest.insert(to, next);
                 }
             } else {
                 for partner in self.joins.partners(to) {
@@ -211,7 +252,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         for &(to, next) in cheapest.all() {
             if next.cost < self.best.cost {
-                self.replace(hands.end, to, next);
+                self.follow(hands.end, to, next);
             }
         }
     }
@@ -264,22 +305,53 @@ impl<'a, 'b> Search<'a, 'b> {
         is_possible.then(|| Hands {
             base,
             end: partner,
+            joins: hands.joins + 1,
             cost: hands.cost + lengths[0] - lengths[1] + after - before,
             size: hands.size + lengths[0] + lengths[1],
         })
     }
 
-    /// Goes on with what is in hand once `end` has taken the place of a partner of `to`.
-    fn replace(&mut self, end: u32, to: u32, next: Hands) {
-        self.joins.part(to, next.end);
+    /// What is in hand once the end has been joined to a point that is alone, which becomes the end;
+    /// `None` for another point.
+    fn passing(&mut self, hands: Hands, to: u32) -> Option<Hands> {
+        let Hands { base, end, .. } = hands;
+        if self.joins.open_slots(to) < 2 || base == Some(to) {
+            return None;
+        }
+        let length = self.joins.length(end, to);
+        let before = self.joins.cost(end, 1) + self.joins.cost(to, 0);
+        self.joins.join(end, to);
+        let after = self.joins.cost(end, 0) + self.joins.cost(to, 1);
+        self.joins.part(end, to);
+        Some(Hands {
+            base,
+            end: to,
+            joins: hands.joins + 1,
+            cost: hands.cost + length + after - before,
+            size: hands.size + length,
+        })
+    }
+
+    /// Goes on with what is in hand once `end` has been joined to a point, and perhaps has taken the
+    /// place of a partner there.
+    fn follow(&mut self, end: u32, to: u32, next: Hands) {
+        let steps = self.path.len;
+        let takes_place = next.end != to;
+        if takes_place {
+            self.joins.part(to, next.end);
+        }
         self.joins.join(end, to);
         self.path.push(Step::Join(end, to));
-        self.path.push(Step::Part(to, next.end));
-        self.leave_open(next);
+        if takes_place {
+            self.path.push(Step::Part(to, next.end));
+            self.leave_open(next);
+        }
         self.extend(next);
-        self.path.len -= 2;
+        self.path.len = steps;
         self.joins.part(end, to);
-        self.joins.join(to, next.end);
+        if takes_place {
+            self.joins.join(to, next.end);
+        }
     }
 }
 
@@ -295,6 +367,7 @@ impl Cheapest {
         let nowhere = Hands {
             base: None,
             end: NONE,
+            joins: 0,
             cost: f64::INFINITY,
             size: 0.0,
         };
