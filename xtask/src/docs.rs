@@ -60,6 +60,7 @@ fn images() -> anyhow::Result<Vec<(&'static str, String)>> {
             "docs/images/facing-ends.svg",
             method::facing_ends()?.to_svg(),
         ),
+        ("docs/images/gap-ahead.svg", method::gap_ahead()?.to_svg()),
     ])
 }
 

@@ -52,21 +52,33 @@ pub(crate) fn sharp_corner() -> anyhow::Result<Figure> {
     })
 }
 
-/// Half circles whose ends are about two spacings apart: a failure, and what mends it.
+/// Half circles whose ends are about two spacings apart.
 pub(crate) fn facing_ends() -> anyhow::Result<Figure> {
-    let mut points: Vec<DVec2> = Vec::new();
-    let mut termini = Vec::new();
-    for (x, y) in TILES {
+    let half_circle = |(x, y): (f64, f64)| {
         let centre = DVec2::new(x, -y);
-        termini.extend(PointId::new(points.len()));
-        points.extend(arc(centre, 3.0, 0.0, -PI, 9));
-        termini.extend(PointId::new(points.len()));
+        let mut points = arc(centre, 3.0, 0.0, -PI, 9);
         points.push(centre - DVec2::new(3.0, 0.0));
-    }
-    let points = PointSet::new(points)?;
-    let told = LeastDetour.reconstruct_open(&points, &termini)?;
+        points
+    };
+    let points = PointSet::new(TILES.map(half_circle).concat())?;
     Ok(Figure {
         title: "Ends that face each other, about two spacings apart".to_owned(),
+        columns: 2,
+        panels: vec![
+            marked("HNN-Crust", &points, &hnn_crust(&points)),
+            marked("Least detour", &points, &least_detour(&points)),
+        ],
+    })
+}
+
+/// An arc whose ends are three spacings apart and in line: a failure, and what mends it.
+pub(crate) fn gap_ahead() -> anyhow::Result<Figure> {
+    let spacing = TAU / 32.0;
+    let points = PointSet::new(arc(DVec2::ZERO, 1.0, 0.0, 30.0 * spacing, 30))?;
+    let termini = [0, 29].map(PointId::from);
+    let told = LeastDetour.reconstruct_open(&points, &termini)?;
+    Ok(Figure {
+        title: "A gap of three spacings, straight ahead".to_owned(),
         columns: 2,
         panels: vec![
             marked("Least detour", &points, &least_detour(&points)),
@@ -91,8 +103,11 @@ mod tests {
             let captions = captions(figure);
             assert!(captions[1].contains(closed), "{captions:?}");
         }
-        let captions = captions(facing_ends().unwrap());
-        assert!(captions[0].contains("leaves 4,"), "{captions:?}");
-        assert!(captions[1].contains("leaves 10,"), "{captions:?}");
+        let facing = captions(facing_ends().unwrap());
+        assert!(!facing[0].contains("leaves 10,"), "{facing:?}");
+        assert!(facing[1].contains("leaves 10,"), "{facing:?}");
+        let gap = captions(gap_ahead().unwrap());
+        assert!(gap[0].contains(closed), "{gap:?}");
+        assert!(gap[1].contains("leaves 2,"), "{gap:?}");
     }
 }

@@ -6,7 +6,7 @@
 //! - the **detour** at every point v with partners p and q, |vp| + |vq| - |pq|: nothing where the
 //!   curve goes straight on, twice the shorter edge where it turns back,
 //! - a **price** for every slot that stays open, 2.25 times the length of edge that is to be expected
-//!   there.
+//!   there; less where an even run of points stops, and at a point that no other would go on to.
 //!
 //! Sought is the cheapest set of Delaunay edges without triangles. Lengths prefer neighbours, detours
 //! prefer to go on (good continuation, as perception does), and prices let a curve end
@@ -40,6 +40,7 @@ mod certificates;
 mod exchange;
 mod explain;
 mod joins;
+mod prices;
 
 use std::collections::VecDeque;
 
@@ -55,6 +56,7 @@ use candidates::Candidates;
 use certificates::{Certificates, Crust};
 use exchange::{Path, Search, Step};
 use joins::{Joins, NONE};
+use prices::Surroundings;
 
 pub use explain::{ExplainedEdge, Explanation, OpenEnd, Reason, Rejected};
 
@@ -172,7 +174,15 @@ impl Work<'_> {
             joins.certify(v, w);
         }
         let crust = Crust::new(points, &delaunay, |v| joins.is_settled(v));
-        joins.set_prices(certificates.prices(&candidates, &crust));
+        let surroundings = Surroundings {
+            points,
+            candidates: &candidates,
+            hnn: &certificates,
+            crust: &crust,
+            joins: &joins,
+        };
+        let prices = surroundings.prices();
+        joins.set_prices(prices);
         let mut work = Work {
             points,
             ids,

@@ -10,7 +10,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct Price {
     /// One of them.
     pub(super) slot: f64,
-    /// Both: at most twice as much, and for an outlier, which is to be left alone, no less than one.
+    /// Both: no less than one, and at most twice as much.
     pub(super) both: f64,
 }
 
