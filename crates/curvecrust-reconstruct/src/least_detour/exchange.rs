@@ -18,8 +18,8 @@ const DEPTH: usize = 12;
 /// Partings and joins of the longest path: it may begin with two partings.
 const LONGEST: usize = 2 * DEPTH + 2;
 
-/// An exchange lowers the cost if it does so by more than this fraction of the lengths in it: more
-/// than rounding could feign, so that no exchange is ever undone by another.
+/// An exchange lowers the cost if it does so by more than this fraction of all that is added up for it:
+/// more than rounding could feign, so that no exchange is ever undone by another.
 const ROUNDING: f64 = 1e-12;
 
 /// A step of a path.
@@ -90,7 +90,7 @@ struct Hands {
     joins: usize,
     /// What the path adds to the cost, with no price for the slots in hand.
     cost: f64,
-    /// Of the lengths that add up to it.
+    /// Of the lengths, detours and prices that add up to it.
     size: f64,
 }
 
@@ -142,12 +142,13 @@ impl<'a, 'b> Search<'a, 'b> {
             self.joins.part(v, partner);
             self.path.push(Step::Part(v, partner));
         }
+        let after = cost(self.joins, 1);
         let hands = Hands {
             base: Some(p),
             end: q,
             joins: 0,
-            cost: cost(self.joins, 1) - before - length,
-            size: length,
+            cost: after - before - length,
+            size: length + before + after,
         };
         self.leave_open(hands);
         self.extend(hands);
@@ -170,7 +171,7 @@ impl<'a, 'b> Search<'a, 'b> {
             end: w,
             joins: 0,
             cost: after - before - length,
-            size: length,
+            size: length + before + after,
         };
         self.leave_open(hands);
         self.extend(hands);
@@ -188,7 +189,7 @@ impl<'a, 'b> Search<'a, 'b> {
                 end: v,
                 joins: 0,
                 cost: -price,
-                size: price,
+                size: self.joins.cost(v, 0),
             });
         }
         self
@@ -201,7 +202,8 @@ impl<'a, 'b> Search<'a, 'b> {
         let at_end = if base == Some(end) { 2 } else { 1 };
         let prices =
             self.to_leave_open(end, at_end) + other.map_or(0.0, |base| self.to_leave_open(base, 1));
-        self.keep(hands.cost + prices, hands.size + prices);
+        let size = self.joins.cost(end, 0) + other.map_or(0.0, |base| self.joins.cost(base, 0));
+        self.keep(hands.cost + prices, hands.size + size);
     }
 
     /// What it costs to leave slots open that are in hand.
@@ -270,9 +272,10 @@ impl<'a, 'b> Search<'a, 'b> {
         let after = self.joins.cost(hands.end, 0) + self.joins.cost(to, 0);
         let left_open = hands.base.filter(|_| !is_base);
         let price = left_open.map_or(0.0, |base| self.to_leave_open(base, 1));
+        let size = left_open.map_or(0.0, |base| self.joins.cost(base, 0));
         self.keep(
             hands.cost + length + after - before + price,
-            hands.size + length + price,
+            hands.size + length + after + before + size,
         );
         self.path.len -= 1;
         self.joins.part(hands.end, to);
@@ -307,7 +310,7 @@ impl<'a, 'b> Search<'a, 'b> {
             end: partner,
             joins: hands.joins + 1,
             cost: hands.cost + lengths[0] - lengths[1] + after - before,
-            size: hands.size + lengths[0] + lengths[1],
+            size: hands.size + lengths[0] + lengths[1] + after + before,
         })
     }
 
@@ -328,7 +331,7 @@ impl<'a, 'b> Search<'a, 'b> {
             end: to,
             joins: hands.joins + 1,
             cost: hands.cost + length + after - before,
-            size: hands.size + length,
+            size: hands.size + length + after + before,
         })
     }
 

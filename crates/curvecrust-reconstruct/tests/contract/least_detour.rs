@@ -338,6 +338,39 @@ fn exchanges_find_the_cheapest_edges_of_nearly_all_small_sets() {
     assert!(excess / f64::from(sets) < 0.0005, "{excess}");
 }
 
+/// A cluster as wide as a few roundings, where prices are a million times a million times as large as
+/// lengths: what rounding leaves of them once looked like a gain, and exchanges went on for ever.
+#[test]
+fn prices_much_larger_than_lengths_feign_no_gain() {
+    let steps = [
+        (0, 0),
+        (1, 6),
+        (3, 4),
+        (5, 6),
+        (6, 4),
+        (5, 4),
+        (4, 0),
+        (5, 0),
+        (2, 6),
+        (1, 0),
+        (6, 1),
+        (2, 1),
+        (6, 0),
+        (2, 4),
+        (0, 6),
+    ];
+    let cluster = steps.map(|(x, y)| {
+        let step = |n: i32| 1.0 + f64::from(n) * f64::EPSILON;
+        DVec2::new(step(x), step(y))
+    });
+    let around = [(0.0, 1.0), (1.0, 2.0), (0.0, 2.0)].map(DVec2::from);
+    let points = PointSet::new([&cluster[..], &around[..]].concat()).unwrap();
+    for v in points.ids() {
+        let edges = LeastDetour.reconstruct_open(&points, &[v]).unwrap();
+        assert!(edges.degrees()[v.index()] <= 1);
+    }
+}
+
 /// Two points are joined, and more in a row one after another, wherever the last of them turns.
 #[test]
 fn a_few_points_in_a_row_are_joined() {
