@@ -3,8 +3,8 @@
 //! The measuring is the program `summary` of the benches package, in a build of its own: no task
 //! but this one has to compile the peers.
 
-use crate::root::root;
 use anyhow::Context;
+use curvecrust_lab::root;
 use std::process::{Command, ExitCode};
 
 /// What was typed.

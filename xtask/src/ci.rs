@@ -8,10 +8,10 @@ mod instructions;
 mod packages;
 mod rust_version;
 
-use crate::root::root;
 use crate::test;
 use cargo::{cargo, has};
 use clap::ValueEnum;
+use curvecrust_lab::root;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 

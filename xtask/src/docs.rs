@@ -1,11 +1,6 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
-use crate::compare::published;
-use crate::method;
-use crate::reproduce_paper::figures::{self, PointSets};
-use crate::reproduce_paper::models;
-use crate::root::root;
-use crate::whole::write_whole;
+use curvecrust_lab::{docs, root, write_whole};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -19,9 +14,7 @@ pub(crate) struct Args {
 /// Writes or checks every generated file.
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut stale = false;
-    let images = images()?.into_iter();
-    let images = images.map(|(name, text)| (name.to_owned(), text));
-    for (name, text) in images.chain(published::made()?) {
+    for (name, text) in docs::made()? {
         let path = root().join(&name);
         if !args.check {
             write_whole(&path, &text)?;
@@ -32,36 +25,6 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
         }
     }
     Ok(ExitCode::from(u8::from(stale)))
-}
-
-/// Figures of the paper on our own curves and points, for the README, and those of `docs/method.md`.
-fn images() -> anyhow::Result<Vec<(&'static str, String)>> {
-    let models = models::redrawn()?;
-    let points = PointSets::redrawn()?;
-    Ok(vec![
-        (
-            "docs/images/teaser.svg",
-            figures::figure_1(&models)?.figure.to_svg(),
-        ),
-        ("docs/images/bunny.svg", figures::bunny(&models)?.to_svg()),
-        (
-            "docs/images/sharp-angles.svg",
-            figures::figure_3(&points).figure.to_svg(),
-        ),
-        (
-            "docs/images/near-strands.svg",
-            method::near_strands()?.to_svg(),
-        ),
-        (
-            "docs/images/sharp-corner.svg",
-            method::sharp_corner()?.to_svg(),
-        ),
-        (
-            "docs/images/facing-ends.svg",
-            method::facing_ends()?.to_svg(),
-        ),
-        ("docs/images/gap-ahead.svg", method::gap_ahead()?.to_svg()),
-    ])
 }
 
 #[cfg(test)]

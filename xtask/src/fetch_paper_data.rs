@@ -8,9 +8,9 @@ mod install;
 #[cfg(test)]
 mod tests;
 
-use crate::root::root;
 use anyhow::{Context, anyhow, bail, ensure};
 use curvecrust_curve::Curve;
+use curvecrust_lab::root;
 use git::Repository;
 use install::{File, files_below, install};
 use std::fs;

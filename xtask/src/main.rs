@@ -11,13 +11,8 @@ mod ci;
 mod compare;
 mod docs;
 mod fetch_paper_data;
-mod method;
-mod png;
 mod reproduce_paper;
-mod root;
-mod said;
 mod test;
-mod whole;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

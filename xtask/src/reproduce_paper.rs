@@ -1,21 +1,10 @@
-//! `cargo xtask reproduce-paper`: Tables 1 to 3 of the paper, measured and set beside the printed
-//! numbers, each sampling reconstructed; how few samples there can be; and its figures.
+//! `cargo xtask reproduce-paper`: the tables and figures of the paper; see `curvecrust_lab::paper`.
 
-mod fewest;
-pub(crate) mod figures;
-pub(crate) mod models;
-mod tables;
-#[cfg(test)]
-mod tests;
-
-use crate::root::root;
-use crate::whole::write_whole;
-use anyhow::Context;
 use clap::ValueEnum;
-use curvecrust::report::{PaperReport, render};
+use curvecrust_lab::paper::measure::{CONVERGED, Points, Run};
+use curvecrust_lab::paper::{self, Options};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use tables::{Points, Run};
 
 /// What was typed.
 #[derive(clap::Args)]
@@ -63,50 +52,32 @@ enum Discretisation {
 
 /// Prints the tables and writes them under target/paper.
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    let (origin, models) = models::load(args.curves.as_deref())?;
-    let report = PaperReport {
-        curves: origin,
-        table1: if shows(args, 1) {
-            tables::table_1()
-        } else {
-            Vec::new()
-        },
-        fewest: if shows(args, 4) && runs(args).contains(&Run::Voronoi(tables::CONVERGED)) {
-            fewest::rows(&models, args.rounds)?
-        } else {
-            Vec::new()
-        },
-        ..tables::tables_2_and_3(&models, &runs(args), [shows(args, 2), shows(args, 3)])?
+    let reproduction = paper::reproduce(&Options {
+        table: args.table,
+        rounds: args.rounds,
+        curves: args.curves.clone(),
+        runs: runs(args),
+    })?;
+    let text = if args.json {
+        &reproduction.json
+    } else {
+        &reproduction.markdown
     };
-
-    let markdown = render::markdown(&report);
-    let json = render::json(&report)?;
-    let folder = root().join("target").join("paper");
-    std::fs::create_dir_all(&folder)
-        .with_context(|| format!("cannot make {}", folder.display()))?;
-    write_whole(&folder.join("tables.md"), &markdown)?;
-    write_whole(&folder.join("tables.csv"), &render::csv(&report)?)?;
-    write_whole(&folder.join("tables.json"), &json)?;
-    print!("{}", if args.json { &json } else { &markdown });
+    print!("{text}");
     eprintln!(
         "wrote tables.md, tables.csv and tables.json under {}",
-        folder.display()
+        reproduction.folder.display()
     );
-
     if args.figures {
-        figures::write(&report, &models, &folder)?;
+        reproduction.draw()?;
         eprintln!("drew figures 1, 3, 4, 8, 9, 10 and 11 and report.html there");
     }
 
-    let failures = report.agreement();
+    let failures = reproduction.report.agreement();
     for failure in &failures {
         eprintln!("failed: {failure}");
     }
     Ok(ExitCode::from(u8::from(!failures.is_empty())))
-}
-
-fn shows(args: &Args, table: u8) -> bool {
-    args.table.is_none_or(|only| only == table)
 }
 
 /// The settings to run: those of the paper and of its converged values, or what was asked for.
@@ -131,9 +102,9 @@ fn runs(args: &Args) -> Vec<Run> {
     };
     let run = |(lfs, discretisation)| match (lfs, discretisation) {
         (Lfs::Voronoi, Discretisation::Paper) => Run::Voronoi(Points::PerSegment),
-        (Lfs::Voronoi, Discretisation::Adaptive) => Run::Voronoi(tables::CONVERGED),
+        (Lfs::Voronoi, Discretisation::Adaptive) => Run::Voronoi(CONVERGED),
         (Lfs::ShrinkingBall, Discretisation::Paper) => Run::ShrinkingBall(Points::PerSegment),
-        (Lfs::ShrinkingBall, Discretisation::Adaptive) => Run::ShrinkingBall(tables::CONVERGED),
+        (Lfs::ShrinkingBall, Discretisation::Adaptive) => Run::ShrinkingBall(CONVERGED),
     };
     settings.into_iter().map(run).collect()
 }

@@ -1,8 +1,8 @@
 //! `cargo xtask test`: every check of the project, in the order in which they fail fastest.
 
 use crate::ci::Outcome;
-use crate::root::root;
 use anyhow::Context;
+use curvecrust_lab::root;
 use std::env;
 use std::ffi::OsString;
 use std::process::{Command, ExitCode, Stdio};

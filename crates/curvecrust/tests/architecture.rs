@@ -28,17 +28,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
         "evaluate",
         &["geometry", "curve", "voronoi", "medial-axis", "sampling"],
     ),
-    ("report", BELOW_REPORT),
     ("curvecrust", ALL_BUT_FACADE),
-];
-const BELOW_REPORT: &[&str] = &[
-    "geometry",
-    "curve",
-    "voronoi",
-    "medial-axis",
-    "sampling",
-    "evaluate",
-    "reconstruct",
 ];
 const ALL_BUT_FACADE: &[&str] = &[
     "geometry",
@@ -48,11 +38,13 @@ const ALL_BUT_FACADE: &[&str] = &[
     "sampling",
     "evaluate",
     "reconstruct",
-    "report",
 ];
 
 /// What is no library: it may use every library, and nothing uses it.
 const PROGRAMS: &[&str] = &["cli", "benches", "xtask"];
+
+/// What is not published: it may use every library, and only what is not published uses it.
+const LABORATORY: &[&str] = &["lab"];
 
 /// Foreign crates that only these of ours may name, in whatever kind of dependency.
 const NAMED_BY: &[(&str, &[&str])] = &[
@@ -62,7 +54,7 @@ const NAMED_BY: &[(&str, &[&str])] = &[
     // The program reads points from SVG, which are no curves.
     ("roxmltree", &["curve", "cli"]),
     ("svgtypes", &["curve", "cli"]),
-    ("anyhow", &["cli", "xtask"]),
+    ("anyhow", &["cli", "lab", "xtask"]),
     ("clap", &["cli", "xtask"]),
 ];
 
@@ -101,8 +93,14 @@ fn short(name: &str) -> &str {
     name.strip_prefix("curvecrust-").unwrap_or(name)
 }
 
-fn is_program(package: &Package) -> bool {
-    PROGRAMS.contains(&short(&package.name))
+/// Whether the rules for libraries bind a package.
+fn is_library(package: &Package) -> bool {
+    let name = short(&package.name);
+    !PROGRAMS.contains(&name) && !LABORATORY.contains(&name)
+}
+
+fn is_published(package: &Package) -> bool {
+    package.publish.is_none()
 }
 
 /// The names of what a package is built with: not what only its tests use.
@@ -147,7 +145,7 @@ fn dependencies_follow_the_flow_of_data() {
     let metadata = workspace();
     let ours: BTreeSet<&str> = metadata.packages.iter().map(|p| p.name.as_str()).collect();
     let mut wrong = Vec::new();
-    for package in metadata.packages.iter().filter(|p| !is_program(p)) {
+    for package in metadata.packages.iter().filter(|p| is_library(p)) {
         let name = package.name.as_str();
         let Some((_, may_use)) = LIBRARIES.iter().find(|(n, _)| *n == short(name)) else {
             wrong.push(format!("{name} has no line in LIBRARIES"));
@@ -169,6 +167,22 @@ fn nothing_uses_a_program() {
         wrong.extend(programs.map(|d| format!("{} uses {d}", package.name)));
     }
     assert_none(&wrong, "a program used as a library");
+}
+
+#[test]
+fn nothing_published_uses_the_laboratory() {
+    let metadata = workspace();
+    let mut wrong = Vec::new();
+    for package in &metadata.packages {
+        let in_the_laboratory = LABORATORY.contains(&short(&package.name));
+        if in_the_laboratory && is_published(package) {
+            wrong.push(format!("{} is published", package.name));
+        }
+        let used = built_with(package).filter(|d| LABORATORY.contains(&short(d)));
+        let used = used.filter(|_| is_published(package));
+        wrong.extend(used.map(|d| format!("{} uses {d}", package.name)));
+    }
+    assert_none(&wrong, "the laboratory is not the product");
 }
 
 /// Invariant 1, of what the crates really use, whatever the table above allows.
@@ -217,7 +231,7 @@ fn foreign_crates_stay_behind_their_door() {
 fn libraries_print_nothing_read_no_files_and_never_exit() {
     let metadata = workspace();
     let mut wrong = Vec::new();
-    for package in metadata.packages.iter().filter(|p| !is_program(p)) {
+    for package in metadata.packages.iter().filter(|p| is_library(p)) {
         let is_test = |p: &PathBuf| p.ends_with("tests.rs") || p.iter().any(|c| c == "tests");
         for path in sources_of(package).iter().filter(|p| !is_test(p)) {
             let text = read(path);
@@ -282,7 +296,7 @@ fn packages_are_fit_for_publishing() {
             "license",
         );
         must(package.rust_version.is_some(), "rust-version");
-        if package.publish.as_ref().is_some_and(Vec::is_empty) {
+        if !is_published(package) {
             continue;
         }
         let described = |text: &Option<String>| text.as_ref().is_some_and(|t| !t.is_empty());

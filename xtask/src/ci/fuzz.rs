@@ -2,10 +2,10 @@
 
 use super::Outcome;
 use super::cargo::{outcome, succeeds};
-use crate::root::root;
-use crate::said::said;
 use crate::test;
 use anyhow::Context;
+use curvecrust_lab::root;
+use curvecrust_lab::said;
 use std::path::Path;
 use std::process::Command;
 use std::{env, fs};

@@ -2,11 +2,11 @@
 
 use super::Outcome;
 use super::cargo::succeeds;
-use crate::root::root;
-use crate::said::said;
 use crate::test;
-use crate::whole::write_whole;
 use anyhow::{Context, bail};
+use curvecrust_lab::root;
+use curvecrust_lab::said;
+use curvecrust_lab::write_whole;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::process::Command;

@@ -2,9 +2,9 @@
 
 use super::Outcome;
 use super::cargo::cargo;
-use crate::root::root;
 use crate::test;
 use anyhow::{Context, ensure};
+use curvecrust_lab::root;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;

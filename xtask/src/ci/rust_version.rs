@@ -3,9 +3,9 @@
 use super::Outcome;
 use super::cargo::{outcome, succeeds};
 use super::packages::{Package, packages};
-use crate::root::root;
 use crate::test;
 use anyhow::Context;
+use curvecrust_lab::root;
 use std::process::Command;
 
 /// By that Rust itself where it is installed. Else by what can be known without it: no dependency

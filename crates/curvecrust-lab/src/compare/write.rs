@@ -1,0 +1,103 @@
+//! From the rows to everything people read: a pure function, and the files it goes to.
+
+use super::algorithms;
+use super::experiment::Experiment;
+use crate::compare::cells::Cells;
+use crate::compare::chart::{Paper, Width};
+use crate::compare::heat_map::HeatMap;
+use crate::compare::rows::Timing;
+use crate::compare::sheet::Sheet;
+use crate::compare::{page, tables};
+use crate::png::Rasteriser;
+use crate::whole::write_whole;
+use anyhow::Context;
+use rayon::prelude::*;
+use std::fs;
+use std::path::Path;
+
+/// What experiments answered, and the algorithms that took part in the order of their list.
+pub(super) struct Answered {
+    pub(super) sheets: Vec<Sheet>,
+    pub(super) algorithms: Vec<&'static str>,
+}
+
+/// The answers in cells and times.
+pub(super) fn answered(experiments: &[Experiment], cells: &Cells, times: &[Timing]) -> Answered {
+    // Those that took part: there are more than lines can be told apart.
+    let mut algorithms = algorithms::names();
+    algorithms.retain(|name| {
+        cells.all().iter().any(|cell| cell.algorithm == *name)
+            || times.iter().any(|timing| timing.algorithm == *name)
+    });
+    let sheets: Vec<Sheet> = experiments
+        .iter()
+        .map(|experiment| Sheet::new(experiment.described(), cells, times, &algorithms))
+        .filter(|sheet| !sheet.panels.is_empty())
+        .collect();
+    Answered { sheets, algorithms }
+}
+
+/// The texts made of answers: their names, and what is in them.
+pub(super) fn texts(
+    Answered { sheets, algorithms }: &Answered,
+    facts: &[(String, String)],
+) -> anyhow::Result<Vec<(String, String)>> {
+    let mut texts = vec![
+        ("tables.md".to_owned(), tables::markdown(sheets, algorithms)),
+        ("tables.json".to_owned(), tables::json(sheets)?),
+        (
+            "index.html".to_owned(),
+            page::html(sheets, algorithms, facts),
+        ),
+    ];
+    let map = HeatMap::new(sheets, algorithms);
+    if !map.rows.is_empty() {
+        texts.push((
+            "plots/overview.svg".to_owned(),
+            map.to_svg(Width::Wide, Paper::Light),
+        ));
+    }
+    for sheet in sheets {
+        let groups: Vec<&str> = sheet
+            .panels
+            .iter()
+            .map(|panel| panel.group.as_str())
+            .collect();
+        let one_group = groups.iter().all(|group| Some(group) == groups.first());
+        for panel in &sheet.panels {
+            let group = if one_group {
+                String::new()
+            } else {
+                format!(
+                    "-{}",
+                    panel.group.replace([' ', ','], "-").replace("--", "-")
+                )
+            };
+            let name = format!(
+                "plots/{}{group}-{}.svg",
+                sheet.experiment.name, panel.metric
+            );
+            let chart = panel.chart(&sheet.experiment.sweep);
+            texts.push((name, chart.to_svg(Width::Wide, Paper::Light)));
+        }
+    }
+    Ok(texts)
+}
+
+/// Writes the texts, and each plot as PNG too.
+pub(super) fn write(folder: &Path, texts: &[(String, String)]) -> anyhow::Result<()> {
+    let plots = folder.join("plots");
+    if plots.is_dir() {
+        fs::remove_dir_all(&plots).context("cannot remove the plots of an earlier run")?;
+    }
+    fs::create_dir_all(&plots).with_context(|| format!("cannot make {}", plots.display()))?;
+    for (name, text) in texts {
+        write_whole(&folder.join(name), text)?;
+    }
+    let rasteriser = Rasteriser::new();
+    let plots = texts.par_iter().filter(|(name, _)| name.ends_with(".svg"));
+    plots.try_for_each(|(name, text)| {
+        let picture = rasteriser.png(text).with_context(|| name.clone())?;
+        write_whole(&folder.join(name).with_extension("png"), picture)
+    })
+}

@@ -1,0 +1,24 @@
+//! The laboratory: experiments with the libraries, and the tables, figures and pages made of them.
+//!
+//! It is not published, and no library depends on it. `cargo xtask` runs what is here.
+//!
+//! | module | what it gives |
+//! |---|---|
+//! | [`paper`] | the paper's tables and figures, measured and drawn |
+//! | [`compare`] | comparisons of algorithms: experiments, rows, means, tables, plots, a page |
+//! | [`figure`] | panels of curves, points and edges, as SVG |
+//! | [`docs`] | the files under docs that are made, not written |
+
+pub mod compare;
+pub mod docs;
+pub mod figure;
+mod method;
+pub mod paper;
+mod png;
+mod root;
+mod said;
+mod whole;
+
+pub use root::root;
+pub use said::said;
+pub use whole::write_whole;

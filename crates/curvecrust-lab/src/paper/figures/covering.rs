@@ -1,0 +1,160 @@
+//! Draws Figure 8; its geometry is in [`rolling`](super::rolling).
+
+use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface};
+use crate::figure::{Ball, Figure, Label, Layer, Panel, Polyline};
+use crate::paper::page::Exhibit;
+use curvecrust::DVec2;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, TAU};
+
+/// How many positions of a ball are drawn for a turn of its centre around a free disk.
+pub(super) const BALLS: u32 = 72;
+/// Points of a drawn turn.
+const FINE: u32 = 180;
+
+/// The eight configurations.
+pub(super) fn figure_8() -> Exhibit {
+    let text = "Why s2 is the half neighbour of s1 for ρ = 0.9. Balls that touch the curve, or the x axis as a bound \
+        of it, hold no sample; they cover what O(s1, |s1 s2|) and the half-plane H beyond the bisector of s0 and s1 have in common \
+        on the side of s0. So no sample there can be nearer than s2. The ratio is that of |x s1| to |s1 y|, α and β are the angles of x and y below the tangent \
+        at s1: at most 26.7° for y, and less for an x nearer than y. In the fourth case the balls reach the corner barely: 0.9 is \
+        close to tight.";
+    Exhibit {
+        number: 8,
+        heading: "rolling balls around s1".to_owned(),
+        text: text.to_owned(),
+        figure: Figure {
+            title: "Tangent balls that cover the disk around s1 in the half-plane H, in eight configurations"
+                .to_owned(),
+            columns: 4,
+            panels: CONFIGURATIONS.iter().map(panel).collect(),
+        },
+    }
+}
+
+fn panel(configuration: &Configuration) -> Panel {
+    let scene = configuration.scene();
+    let [alpha, beta] = scene.angles.map(f64::to_degrees);
+    let surface = match configuration.surface {
+        Surface::Disk => "the disk of lfs(y)",
+        Surface::Axis => "the x axis",
+    };
+    let labels = labels(&scene).into_iter();
+    // Names that would stand on each other are left out, s0 and x for the smallest ratio.
+    let apart = |label: &Label| scene.s0.length() > 0.1 || !["s0", "x"].contains(&&*label.name);
+    let balls = scene.rolling(BALLS).into_iter();
+    let layers = vec![
+        Layer::Balls(
+            balls
+                .map(|ball| Ball {
+                    centre: page(ball.centre),
+                    ..ball
+                })
+                .collect(),
+        ),
+        Layer::Region(turned(scene.region(FINE))),
+        Layer::Construction(construction(&scene, configuration.surface)),
+        Layer::Curve(vec![(turned(curve(&scene)), false)]),
+        Layer::Marks([scene.x, scene.y].map(page).to_vec()),
+        Layer::Points([scene.s0, DVec2::ZERO, scene.s2].map(page).to_vec()),
+        Layer::Labels(labels.filter(apart).collect()),
+    ];
+    Panel {
+        caption: format!(
+            "ratio {}, α {alpha:.1}°, β {beta:.1}°,\nrolling on {surface}",
+            written(configuration.ratio)
+        ),
+        frame: Some([DVec2::new(-2.65, -2.05), DVec2::new(2.2, 2.0)]),
+        layers,
+    }
+}
+
+/// A ratio as the paper has it.
+fn written(ratio: f64) -> String {
+    let named = [(1.0 / 3.0, "1/3"), (FRAC_1_SQRT_2, "1/√2")];
+    let known = named
+        .iter()
+        .find(|(value, _)| (ratio - value).abs() < 1e-12);
+    known.map_or_else(|| ratio.to_string(), |(_, name)| (*name).to_owned())
+}
+
+/// Names on the free side of the curve: below it left of s1, where balls are above, and outside on the
+/// right. That of x is beside the bisector, which runs below x.
+fn labels(scene: &Scene) -> [Label; 5] {
+    let [alpha, beta] = scene.angles;
+    let label = |name: &str, at: DVec2, towards: DVec2| Label {
+        at: page(at),
+        towards: page(towards),
+        name: name.to_owned(),
+    };
+    // Where the curve has turned by so much.
+    let below = |turn: f64| DVec2::from_angle(turn).rotate(DVec2::NEG_Y);
+    let (y_side, s2_side) = if beta > 0.0 {
+        (-below(-2.0 * beta), -below(-4.0 * beta))
+    } else {
+        (DVec2::NEG_Y, DVec2::new(1.0, -1.0))
+    };
+    [
+        label("s0", scene.s0, below(4.0 * alpha)),
+        label("x", scene.x, below(2.0 * alpha + 0.6)),
+        label("s1", DVec2::ZERO, below(FRAC_PI_4)),
+        label("y", scene.y, y_side),
+        label("s2", scene.s2, s2_side),
+    ]
+}
+
+/// Upwards in the geometry is downwards on the page.
+fn page(p: DVec2) -> DVec2 {
+    DVec2::new(p.x, -p.y)
+}
+
+fn turned(points: Vec<DVec2>) -> Vec<DVec2> {
+    points.into_iter().map(page).collect()
+}
+
+/// From s0 to s2, of constant curvature on both sides of s1.
+fn curve(scene: &Scene) -> Vec<DVec2> {
+    let [alpha, beta] = scene.angles;
+    let side = |angle: f64, end: DVec2| {
+        let (turn, length) = (4.0 * angle, end.length());
+        (1..=FINE).map(move |i| {
+            let part = f64::from(i) / f64::from(FINE);
+            if angle > 0.0 {
+                let radius = length / (2.0 * (2.0 * angle).sin());
+                let (sin, cos) = (part * turn).sin_cos();
+                radius * DVec2::new(sin * end.x.signum(), cos - 1.0)
+            } else {
+                part * end
+            }
+        })
+    };
+    let mut points: Vec<DVec2> = side(alpha, scene.s0).collect();
+    points.reverse();
+    points.push(DVec2::ZERO);
+    points.extend(side(beta, scene.s2));
+    points
+}
+
+/// The disk around s1, the bisector of s0 and s1, and what the balls roll on.
+fn construction(scene: &Scene, surface: Surface) -> Vec<Polyline> {
+    let circle = |centre: DVec2, radius: f64| {
+        let turn = (0..FINE).map(|i| TAU * f64::from(i) / f64::from(FINE));
+        let points = turn.map(|angle| centre + radius * DVec2::from_angle(angle));
+        (turned(points.collect()), true)
+    };
+    let middle = scene.s0 / 2.0;
+    let along = scene.s0.normalize().perp();
+    let reach = (scene.radius().powi(2) - middle.length_squared()).sqrt();
+    let bisector = [-1.08, 1.0].map(|sign| middle + sign * reach * along);
+    let surface = match surface {
+        Surface::Disk => circle(DVec2::new(0.0, -scene.bend), scene.bend),
+        Surface::Axis => (
+            [DVec2::new(-2.6, 0.0), DVec2::new(1.95, 0.0)].to_vec(),
+            false,
+        ),
+    };
+    vec![
+        circle(DVec2::ZERO, scene.radius()),
+        (turned(bisector.to_vec()), false),
+        surface,
+    ]
+}

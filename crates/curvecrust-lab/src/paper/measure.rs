@@ -1,0 +1,201 @@
+//! Computes the rows of the tables.
+
+use super::models::Model;
+use super::published;
+use super::rows::{Counts, CurveOrigin, PaperReport, Setting, Table1Row, Table2Row, Table3Row};
+use anyhow::Context;
+use curvecrust::curve::DenseCurve;
+use curvecrust::evaluate::EdgeComparison;
+use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::reconstruct::hnn_crust;
+use curvecrust::sampling::{Condition, sample_as_published, theory};
+use rayon::prelude::*;
+
+/// An estimator of lfs, and the dense points that it works on.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Run {
+    /// The Voronoi medial axis.
+    Voronoi(Points),
+    /// The estimator of the paper's authors.
+    ShrinkingBall(Points),
+}
+
+/// How many dense points a curve gets.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Points {
+    /// 300 a segment, as in the paper.
+    PerSegment,
+    /// As many as lfs asks for: gaps at most this fraction of it.
+    Adaptive(f64),
+}
+
+/// Points a segment in the paper.
+const PER_SEGMENT: u32 = 300;
+/// Fine enough that counts have converged: half of it changes none by more than 1 %, or 1.
+pub const CONVERGED: Points = Points::Adaptive(0.005);
+/// Table 3 is about this model.
+const LIMITED: &str = "bunny";
+
+impl Run {
+    fn setting(self) -> Setting {
+        let (lfs, points) = match self {
+            Self::Voronoi(points) => ("voronoi", points),
+            Self::ShrinkingBall(points) => ("shrinking-ball", points),
+        };
+        let discretisation = match points {
+            Points::PerSegment => "300",
+            Points::Adaptive(_) => "adaptive",
+        };
+        Setting {
+            lfs,
+            discretisation,
+        }
+    }
+
+    pub(super) fn measure(self, model: &Model) -> anyhow::Result<Measured> {
+        let (points, estimator) = match self {
+            Self::Voronoi(points) => (points, Estimator::Voronoi),
+            Self::ShrinkingBall(points) => (points, Estimator::ShrinkingBall),
+        };
+        let measured = match (points, estimator) {
+            (Points::PerSegment, Estimator::ShrinkingBall) => {
+                let dense = DenseCurve::per_segment_in_single(&model.curve, PER_SEGMENT)?;
+                Measured::new(dense, estimator)
+            }
+            (Points::PerSegment, Estimator::Voronoi) => {
+                let discretisation = Discretisation::PerSegment(PER_SEGMENT);
+                measure(&model.curve, discretisation, estimator, &|_, _| {})
+            }
+            (Points::Adaptive(gap_to_lfs), _) => {
+                let discretisation = Discretisation::Adaptive { gap_to_lfs };
+                measure(&model.curve, discretisation, estimator, &|_, _| {})
+            }
+        };
+        measured.with_context(|| model.name.to_owned())
+    }
+}
+
+/// Table 1, from the lemmas, to the digits that the paper prints.
+pub(crate) fn table_1() -> Vec<Table1Row> {
+    published::TABLE_1
+        .iter()
+        .map(|row| {
+            let angle = if row.angle_from_bound {
+                theory::least_angle(row.bound)
+            } else {
+                row.min_angle_deg.to_radians()
+            };
+            let tenths = |value: f64| (10.0 * value).round() / 10.0;
+            Table1Row {
+                algorithm: row.algorithm,
+                condition: row.condition,
+                bound: row.bound,
+                min_angle_deg: angle.to_degrees().round(),
+                circle: tenths(theory::samples_on_circle(angle)),
+                parallel: tenths(theory::samples_on_parallel_lines(row.bound)),
+            }
+        })
+        .collect()
+}
+
+/// Those of Tables 2 and 3 that are wanted, setting by setting in the order of the runs.
+pub(crate) fn tables_2_and_3(
+    models: &[Model],
+    runs: &[Run],
+    [second, third]: [bool; 2],
+) -> anyhow::Result<PaperReport> {
+    let wanted = |model: &&Model| second || (third && model.name == LIMITED);
+    let jobs: Vec<(Run, &Model)> = runs
+        .iter()
+        .flat_map(|&run| models.iter().filter(wanted).map(move |model| (run, model)))
+        .collect();
+    let done: Vec<(Option<Table2Row>, Vec<Table3Row>)> = jobs
+        .into_par_iter()
+        .map(|(run, model)| {
+            let measured = run.measure(model)?;
+            let second = second
+                .then(|| table_2_row(run, model, &measured))
+                .transpose()?;
+            let limits = published::TABLE_3
+                .iter()
+                .filter(|_| third && model.name == LIMITED);
+            let third = limits.map(|&(limit, _)| table_3_row(run, model, &measured, limit));
+            Ok((second, third.collect::<anyhow::Result<_>>()?))
+        })
+        .collect::<anyhow::Result<_>>()?;
+    let (second, third): (Vec<_>, Vec<_>) = done.into_iter().unzip();
+    Ok(PaperReport {
+        curves: CurveOrigin::Given,
+        table1: Vec::new(),
+        table2: second.into_iter().flatten().collect(),
+        table3: third.into_iter().flatten().collect(),
+        fewest: Vec::new(),
+    })
+}
+
+fn table_2_row(run: Run, model: &Model, measured: &Measured) -> anyhow::Result<Table2Row> {
+    let sampled = Sampled::new(measured, None)?;
+    Ok(Table2Row {
+        model: model.name,
+        setting: run.setting(),
+        counts: sampled.counts,
+        reconstructed: sampled.reconstructed,
+        closing_intervals_hold: sampled.closing_intervals_hold,
+    })
+}
+
+fn table_3_row(
+    run: Run,
+    model: &Model,
+    measured: &Measured,
+    limit_percent: Option<f64>,
+) -> anyhow::Result<Table3Row> {
+    let limit = limit_percent.map(|percent| percent / 100.0 * model.curve.extent());
+    let sampled = Sampled::new(measured, limit)?;
+    Ok(Table3Row {
+        limit_percent,
+        setting: run.setting(),
+        counts: sampled.counts,
+        reconstructed: sampled.reconstructed,
+        closing_intervals_hold: sampled.closing_intervals_hold,
+    })
+}
+
+/// What sampling under the three conditions gave.
+struct Sampled {
+    counts: Counts,
+    reconstructed: bool,
+    closing_intervals_hold: bool,
+}
+
+impl Sampled {
+    fn new(measured: &Measured, hausdorff_limit: Option<f64>) -> anyhow::Result<Self> {
+        let mut counts = [0; 3];
+        let (mut reconstructed, mut closing_intervals_hold) = (true, true);
+        let conditions = [
+            Condition::rho(0.9)?,
+            Condition::epsilon(0.47)?,
+            Condition::epsilon(1.0 / 3.0)?,
+        ];
+        for (count, condition) in counts.iter_mut().zip(conditions) {
+            let condition = match hausdorff_limit {
+                Some(limit) => condition.with_hausdorff_limit(limit)?,
+                None => condition,
+            };
+            let sampled = sample_as_published(measured, condition);
+            let found = hnn_crust(&sampled.point_set()?);
+            let comparison = EdgeComparison::new(&sampled.manifold_boundary(), &found);
+            *count = sampled.len();
+            reconstructed &= comparison.is_exact();
+            closing_intervals_hold &= sampled
+                .closing_intervals()
+                .iter()
+                .all(|interval| interval.holds);
+        }
+        Ok(Self {
+            counts: counts.into(),
+            reconstructed,
+            closing_intervals_hold,
+        })
+    }
+}
