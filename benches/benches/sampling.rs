@@ -6,7 +6,7 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use curvecrust_benches::curves::{CAT, dense_one_curve};
 use curvecrust_curve::Curve;
-use curvecrust_medial_axis::{Estimator, Measured};
+use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_sampling::{Condition, PlacedSamples, check, sample, sample_curve, sample_fewest};
 
 fn sampling(c: &mut Criterion) {
@@ -15,7 +15,7 @@ fn sampling(c: &mut Criterion) {
     group.sample_size(10);
     for count in [10_000, 100_000, 1_000_000] {
         let dense = dense_one_curve(count).expect("valid points");
-        let measured = Measured::new(dense, Estimator::Voronoi).expect("a smooth curve");
+        let measured = MeasuredCurve::new(dense, Estimator::Voronoi).expect("a smooth curve");
         let samples = sample(&measured, rho).expect("dense enough").samples;
         let placed = PlacedSamples::of(&measured, &samples).expect("its own samples");
         assert!(check(&measured, &placed, rho).certain);
@@ -24,7 +24,7 @@ fn sampling(c: &mut Criterion) {
             b.iter(|| sample(&measured, rho));
         });
         group.bench_function(BenchmarkId::new("fewest", count), |b| {
-            b.iter(|| sample_fewest(&measured, rho, &|_, _| {}));
+            b.iter(|| sample_fewest(&measured, rho));
         });
     }
     group.finish();
@@ -35,7 +35,7 @@ fn pipeline(c: &mut Criterion) {
     c.bench_function("drawing of 43 segments to samples", |b| {
         b.iter(|| {
             let curve = Curve::from_svg(CAT).expect("a smooth drawing");
-            sample_curve(&curve, rho, &|_, _| {}).expect("it can be sampled")
+            sample_curve(&curve, rho).expect("it can be sampled")
         });
     });
 }

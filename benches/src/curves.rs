@@ -3,8 +3,8 @@
 use std::error::Error;
 
 use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
-use curvecrust_medial_axis::{Estimator, Measured};
-use curvecrust_sampling::{Condition, sample, sample_curve, sample_fewest, sample_greedy};
+use curvecrust_medial_axis::{Estimator, MeasuredCurve};
+use curvecrust_sampling::{Condition, sample, sample_at_dense_points, sample_curve, sample_fewest};
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
 use crate::generators::one_curve;
@@ -42,7 +42,7 @@ pub fn lfs(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
     let lfs = |i: usize| {
         let dense: &DenseCurve = &dense[i];
         Task::new("lfs", move || {
-            Measured::new(dense.clone(), Estimator::Voronoi)
+            MeasuredCurve::new(dense.clone(), Estimator::Voronoi)
         })
     };
     let times = medians((0..3).map(lfs).collect(), sizes.rounds.div_ceil(2));
@@ -82,10 +82,14 @@ pub fn lfs(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
 /// None for these sizes.
 pub fn sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
     let counts = [sizes.small, sizes.medium, sizes.large];
-    let measured = |count| -> Result<Measured, Box<dyn Error>> {
-        Ok(Measured::new(dense_one_curve(count)?, Estimator::Voronoi)?)
+    let measured = |count| -> Result<MeasuredCurve, Box<dyn Error>> {
+        Ok(MeasuredCurve::new(
+            dense_one_curve(count)?,
+            Estimator::Voronoi,
+        )?)
     };
-    let measured: Vec<Measured> = counts.into_iter().map(measured).collect::<Result<_, _>>()?;
+    let measured: Vec<MeasuredCurve> =
+        counts.into_iter().map(measured).collect::<Result<_, _>>()?;
     let mut rows = samplers(&measured[2], sizes.rounds)?;
     rows.extend(growth(&measured, sizes.rounds)?);
     rows.push(pipeline(sizes.rounds)?);
@@ -93,7 +97,7 @@ pub fn sampling(sizes: Sizes) -> Result<Vec<Row>, Box<dyn Error>> {
 }
 
 /// The time of certified sampling per dense point, from few of them to many.
-fn growth(measured: &[Measured], rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+fn growth(measured: &[MeasuredCurve], rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let mut rows = Vec::new();
     for (name, condition) in conditions()? {
         let task = |measured| Task::new(name, move || sample(measured, condition));
@@ -133,7 +137,7 @@ fn pipeline(rounds: usize) -> Result<Row, Box<dyn Error>> {
     let rho = Condition::rho(0.9)?;
     let run = || -> Result<usize, Box<dyn Error>> {
         let curve = Curve::from_svg(CAT)?;
-        Ok(sample_curve(&curve, rho, &|_, _| {})?.1.samples.len())
+        Ok(sample_curve(&curve, rho)?.samples.len())
     };
     let count = run()?;
     let times = medians(vec![Task::new("pipeline", run)], rounds);
@@ -153,14 +157,16 @@ fn conditions() -> Result<[(&'static str, Condition); 2], Box<dyn Error>> {
     ])
 }
 
-fn samplers(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+fn samplers(measured: &MeasuredCurve, rounds: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let count = measured.dense().len();
     let mut rows = Vec::new();
     for (name, condition) in conditions()? {
         let tasks = vec![
             Task::new("certified", || sample(measured, condition)),
-            Task::new("greedy", || sample_greedy(measured, condition)),
-            Task::new("fewest", || sample_fewest(measured, condition, &|_, _| {})),
+            Task::new("dense points", || {
+                sample_at_dense_points(measured, condition)
+            }),
+            Task::new("fewest", || sample_fewest(measured, condition)),
         ];
         let times = medians(tasks, rounds.div_ceil(3));
         let row = |what: &str, seconds, goal| Row {
@@ -171,7 +177,7 @@ fn samplers(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Erro
         };
         rows.extend([
             row("certified sampling", times[0], 0.15),
-            row("greedy sampling", times[1], 0.15),
+            row("sampling at dense points", times[1], 0.15),
             row("fewest samples", times[2], 1.0),
         ]);
     }
@@ -181,7 +187,7 @@ fn samplers(measured: &Measured, rounds: usize) -> Result<Vec<Row>, Box<dyn Erro
 /// The mean relative difference of the two estimators of lfs.
 fn difference(dense: &DenseCurve) -> Result<f64, Box<dyn Error>> {
     let [voronoi, balls] = [Estimator::Voronoi, Estimator::ShrinkingBall]
-        .map(|estimator| Measured::new(dense.clone(), estimator));
+        .map(|estimator| MeasuredCurve::new(dense.clone(), estimator));
     let (voronoi, balls) = (voronoi?, balls?);
     let pairs = voronoi.lfs().values().iter().zip(balls.lfs().values());
     let sum: f64 = pairs.map(|(a, b)| (a / b - 1.0).abs()).sum();

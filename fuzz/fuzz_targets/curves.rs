@@ -4,11 +4,13 @@
 
 use curvecrust::curve::{Curve, DenseCurve};
 use curvecrust::evaluate::hausdorff;
-use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::medial_axis::{
+    Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure_with,
+};
 use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{
-    Condition, PlacedSamples, check, effective_epsilon, effective_rho, sample, sample_as_published,
-    sample_curve, sample_fewest, sample_greedy, sample_unevenly, sample_uniformly,
+    Condition, PlacedSamples, UnevenOptions, check, effective_epsilon, effective_rho, sample, sample_as_published,
+    sample_at_dense_points, sample_curve, sample_fewest, sample_unevenly_with, sample_uniformly,
 };
 use curvecrust_fuzz::Chains;
 use libfuzzer_sys::fuzz_target;
@@ -19,22 +21,29 @@ fuzz_target!(|input: (Chains, u8, bool)| {
         return;
     };
     for estimator in [Estimator::Voronoi, Estimator::ShrinkingBall] {
-        let discretisation = Discretisation::PerSegment(1 + u32::from(bound) % 40);
-        if let Ok(measured) = measure(&curve, discretisation, estimator, &|_, _| {}) {
+        let options = MeasureOptions {
+            discretisation: Discretisation::PerSegment(1 + u32::from(bound) % 40),
+            estimator,
+            ..MeasureOptions::default()
+        };
+        if let Ok(measured) = measure_with(&curve, &options) {
             judged(&curve, &measured, bound, with_limit);
         }
     }
     let dense = DenseCurve::per_segment_in_single(&curve, 20);
-    if let Ok(measured) = dense.map(|dense| Measured::new(dense, Estimator::ShrinkingBall)) {
+    if let Ok(measured) = dense.map(|dense| MeasuredCurve::new(dense, Estimator::ShrinkingBall)) {
         let _ = measured.map(|m| sample_as_published(&m, condition(&curve, bound, with_limit)));
     }
     // Curves that nearly touch have millions of dense points.
-    let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.5 };
-    if let Ok(coarse) = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {})
+    let coarse = MeasureOptions {
+        discretisation: Discretisation::Adaptive { gap_to_lfs: 0.5 },
+        ..MeasureOptions::default()
+    };
+    if let Ok(coarse) = measure_with(&curve, &coarse)
         && coarse.dense().len() < 3000
     {
         if bound >= 64 {
-            let _ = sample_curve(&curve, condition(&curve, bound, with_limit), &|_, _| {});
+            let _ = sample_curve(&curve, condition(&curve, bound, with_limit));
         }
         judged(&curve, &coarse, bound, with_limit);
     }
@@ -57,13 +66,13 @@ fn condition(curve: &Curve, bound: u8, with_limit: bool) -> Condition {
 }
 
 /// What is measured is sane, and what is certified holds.
-fn judged(curve: &Curve, measured: &Measured, bound: u8, with_limit: bool) {
+fn judged(curve: &Curve, measured: &MeasuredCurve, bound: u8, with_limit: bool) {
     let lfs = measured.lfs();
     assert_eq!(lfs.len(), measured.dense().len());
     assert!(lfs.values().iter().all(|&lfs| lfs >= 0.0));
     let condition = condition(curve, bound, with_limit);
     let certified = sample(measured, condition);
-    let fewest = sample_fewest(measured, condition, &|_, _| ());
+    let fewest = sample_fewest(measured, condition);
     if let (Ok(certified), Ok(fewest)) = (&certified, &fewest) {
         assert!(fewest.samples.len() <= certified.samples.len());
     }
@@ -80,7 +89,11 @@ fn judged(curve: &Curve, measured: &Measured, bound: u8, with_limit: bool) {
             let _ = PlacedSamples::project(measured, points.points(), 1e-3 * curve.extent());
         }
     }
-    let _ = sample_greedy(measured, condition);
+    let _ = sample_at_dense_points(measured, condition);
     let _ = sample_uniformly(measured, 0.1 * curve.extent());
-    let _ = sample_unevenly(measured, condition, 0.5, u64::from(bound));
+    let uneven = UnevenOptions {
+        seed: u64::from(bound),
+        ..UnevenOptions::default()
+    };
+    let _ = sample_unevenly_with(measured, condition, &uneven);
 }

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 use curvecrust_benches::curves::dense_one_curve;
 use curvecrust_benches::generators::{many_curves, uniform};
-use curvecrust_medial_axis::{Estimator, Measured};
+use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
 use curvecrust_reconstruct::{crust, least_detour};
 use curvecrust_sampling::{Condition, sample};
@@ -37,7 +37,7 @@ fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
     let points = many_curves(POINTS, 1)?.points;
     let scattered = uniform(SCATTERED, 1)?;
     let dense = dense_one_curve(DENSE)?;
-    let measured = Measured::new(dense.clone(), Estimator::Voronoi)?;
+    let measured = MeasuredCurve::new(dense.clone(), Estimator::Voronoi)?;
     let condition = Condition::rho(0.9)?;
     for _ in 0..runs {
         match kernel {
@@ -45,7 +45,10 @@ fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
             "delaunay" => drop(black_box(Delaunay::new(&points))),
             "crust" => drop(black_box(crust(&points))),
             "least-detour" => drop(black_box(least_detour(&scattered))),
-            "lfs" => drop(black_box(Measured::new(dense.clone(), Estimator::Voronoi)?)),
+            "lfs" => drop(black_box(MeasuredCurve::new(
+                dense.clone(),
+                Estimator::Voronoi,
+            )?)),
             "sampling" => drop(black_box(sample(&measured, condition)?)),
             other => {
                 eprintln!("no kernel {other}");

@@ -9,15 +9,17 @@
 //! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
 //! | [`spatial_order`] | [`hilbert_order`], [`in_hilbert_order`] | an order in which neighbours are close |
+//! | [`progress`] | [`Progress`] | a listener to long tasks |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
 //!
-//! Points are [`glam::DVec2`].
+//! Points are [`glam::DVec2`]; [`glam`] is re-exported, so that a user has the same version of it.
 
 pub mod chains;
 pub mod edge_set;
 mod hilbert;
 pub mod point_set;
 pub mod predicates;
+pub mod progress;
 pub mod segment;
 pub mod segment_tree;
 pub mod similarity;
@@ -25,9 +27,10 @@ pub mod spatial_order;
 
 pub use chains::Chain;
 pub use edge_set::{Edge, EdgeSet};
-pub use glam::DVec2;
+pub use glam::{self, DVec2};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
+pub use progress::Progress;
 pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;

@@ -1,6 +1,9 @@
 //! How a curve is made into dense points, and all that is measured on them.
 
+use std::sync::Arc;
+
 use curvecrust_curve::{Curve, DenseCurve};
+use curvecrust_geometry::Progress;
 
 use crate::axis::MedialAxis;
 use crate::crossing::{self, chord};
@@ -12,7 +15,8 @@ use crate::shrinking_ball;
 /// How dense points are chosen on a smooth curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Discretisation {
-    /// As many points on every cubic segment, at equal steps of its parameter; 300 in the paper.
+    /// The same number of points on every cubic segment, at equal steps of its parameter. The program
+    /// of the paper's authors takes 300; the paper itself names no number.
     PerSegment(u32),
     /// As many points as needed: the gap between neighbours is at most this fraction of the lfs at
     /// both of them, and of the radius of curvature. With the Voronoi estimator, the axis itself
@@ -23,23 +27,47 @@ pub enum Discretisation {
     },
 }
 
+/// Gaps of at most 0.02 of the lfs.
+impl Default for Discretisation {
+    fn default() -> Self {
+        Self::Adaptive {
+            gap_to_lfs: GAP_TO_LFS,
+        }
+    }
+}
+
+/// The largest gap between dense points as a fraction of lfs, where none is given.
+pub(crate) const GAP_TO_LFS: f64 = 0.02;
+
 /// How lfs is estimated from dense points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Estimator {
     /// The distance to the medial axis by the Voronoi diagram: see [`axis`](crate::axis).
+    #[default]
     Voronoi,
     /// The distance to the authors' medial points: see [`shrinking_ball`].
     ShrinkingBall,
 }
 
-/// A discretised curve and the local feature size at each of its dense points.
-#[derive(Clone, Debug)]
-pub struct Measured {
-    dense: DenseCurve,
-    lfs: LocalFeatureSize,
+/// A discretised curve and the local feature size at each of its dense points. Clones share both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredCurve {
+    dense: Arc<DenseCurve>,
+    lfs: Arc<LocalFeatureSize>,
 }
 
-impl Measured {
+/// How [`measure_with`] goes about it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MeasureOptions<'a> {
+    /// How dense points are chosen; adaptively, with gaps of at most 0.02 of lfs, by default.
+    pub discretisation: Discretisation,
+    /// How lfs is estimated; from the Voronoi diagram by default.
+    pub estimator: Estimator,
+    /// Hears how many dense points there are, of about how many that will be.
+    pub progress: Progress<'a>,
+}
+
+impl MeasuredCurve {
     /// Estimates the lfs of points that are dense already.
     ///
     /// # Errors
@@ -58,16 +86,19 @@ impl Measured {
                 return Err(MedialAxisError::too_coarse(gap));
             }
         }
-        Ok(Self { dense, lfs })
+        Ok(Self::from_parts(dense, lfs))
     }
 
     pub(crate) fn from_parts(dense: DenseCurve, lfs: LocalFeatureSize) -> Self {
-        Self { dense, lfs }
+        Self {
+            dense: Arc::new(dense),
+            lfs: Arc::new(lfs),
+        }
     }
 
     fn by_shrinking_balls(dense: DenseCurve) -> Self {
         let lfs = shrinking_ball::lfs(&dense);
-        Self { dense, lfs }
+        Self::from_parts(dense, lfs)
     }
 
     /// The dense points.
@@ -98,30 +129,64 @@ pub(crate) const TOUCHING: f64 = 1e-7;
 /// lie on each other would be refined without end.
 const OVERLAP_ROUNDS: usize = 6;
 
-/// Discretises a curve and estimates its lfs. `progress` is told how many dense points there are, of about how many
-/// that will be.
+/// Discretises a curve with gaps of at most 0.02 of its lfs, which it estimates from the Voronoi diagram.
+///
+/// # Errors
+/// Those of [`measure_with`].
+///
+/// ```
+/// use curvecrust_curve::Curve;
+/// use curvecrust_medial_axis::measure;
+///
+/// let circle = Curve::from_path_data("M 2 0 A 2 2 0 0 1 -2 0 A 2 2 0 0 1 2 0 Z")?;
+/// let measured = measure(&circle)?;
+/// assert!((measured.lfs().minimum() - 2.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn measure(curve: &Curve) -> Result<MeasuredCurve, MedialAxisError> {
+    measure_with(curve, &MeasureOptions::default())
+}
+
+/// Discretises a curve and estimates its lfs, by the given [options](MeasureOptions).
 ///
 /// # Errors
 /// [`GapToLfs`](MedialAxisError::GapToLfs), [`Dense`](MedialAxisError::Dense) for more points than
 /// the limit, and where the curve crosses or touches itself or another, or is discretised too
 /// coarsely to tell.
-pub fn measure(
+///
+/// ```
+/// use curvecrust_curve::Curve;
+/// use curvecrust_medial_axis::{Discretisation, MeasureOptions, measure_with};
+///
+/// let arch = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0")?;
+/// let discretisation = Discretisation::PerSegment(300);
+/// let options = MeasureOptions { discretisation, ..MeasureOptions::default() };
+/// assert_eq!(measure_with(&arch, &options)?.dense().len(), 301);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn measure_with(
     curve: &Curve,
-    discretisation: Discretisation,
-    estimator: Estimator,
-    progress: &dyn Fn(usize, usize),
-) -> Result<Measured, MedialAxisError> {
+    options: &MeasureOptions<'_>,
+) -> Result<MeasuredCurve, MedialAxisError> {
+    let MeasureOptions {
+        discretisation,
+        estimator,
+        progress,
+    } = *options;
     match discretisation {
         Discretisation::PerSegment(n) => {
             let dense = DenseCurve::per_segment(curve, n)?;
-            progress(dense.len(), dense.len());
-            Measured::new(dense, estimator)
+            progress.report(dense.len(), dense.len());
+            MeasuredCurve::new(dense, estimator)
         }
         Discretisation::Adaptive { gap_to_lfs } => {
             let refined = refine(curve, gap_to_lfs, progress)?;
             match estimator {
                 Estimator::Voronoi => Ok(refined),
-                Estimator::ShrinkingBall => Ok(Measured::by_shrinking_balls(refined.dense)),
+                Estimator::ShrinkingBall => {
+                    let dense = Arc::unwrap_or_clone(refined.dense);
+                    Ok(MeasuredCurve::by_shrinking_balls(dense))
+                }
             }
         }
     }
@@ -131,8 +196,8 @@ pub fn measure(
 fn refine(
     curve: &Curve,
     ratio: f64,
-    progress: &dyn Fn(usize, usize),
-) -> Result<Measured, MedialAxisError> {
+    progress: Progress<'_>,
+) -> Result<MeasuredCurve, MedialAxisError> {
     let (axis, dense) = refine_axis(curve, ratio, progress)?;
     settle(curve, dense, ratio, progress, |dense| {
         Ok(LocalFeatureSize::new(dense, &axis))
@@ -144,16 +209,16 @@ pub(crate) fn settle(
     curve: &Curve,
     mut dense: DenseCurve,
     ratio: f64,
-    progress: &dyn Fn(usize, usize),
+    progress: Progress<'_>,
     lfs: impl Fn(&DenseCurve) -> Result<LocalFeatureSize, MedialAxisError>,
-) -> Result<Measured, MedialAxisError> {
+) -> Result<MeasuredCurve, MedialAxisError> {
     loop {
         let found = lfs(&dense)?;
         let wanted = wanted(curve, &dense, &found, ratio);
         tell(progress, &wanted, 1.0);
         let pieces = pieces(&wanted);
         if pieces.iter().all(|&n| n == 1) {
-            return Ok(Measured { dense, lfs: found });
+            return Ok(MeasuredCurve::from_parts(dense, found));
         }
         dense = dense.refined(curve, &pieces)?;
     }
@@ -163,7 +228,7 @@ pub(crate) fn settle(
 pub(crate) fn refine_axis(
     curve: &Curve,
     ratio: f64,
-    progress: &dyn Fn(usize, usize),
+    progress: Progress<'_>,
 ) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     if !(ratio > 0.0 && ratio <= 1.0) {
         return Err(MedialAxisError::GapToLfs(ratio));
@@ -245,12 +310,12 @@ fn pieces(wanted: &[f64]) -> Vec<u32> {
 }
 
 /// Tells how many points there are, of about how many: those wanted now, and `more` for each.
-fn tell(progress: &dyn Fn(usize, usize), wanted: &[f64], more: f64) {
+fn tell(progress: Progress<'_>, wanted: &[f64], more: f64) {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "positive, and the cast saturates"
     )]
     let about = (wanted.iter().sum::<f64>() * more) as usize;
-    progress(wanted.len(), about.max(wanted.len()));
+    progress.report(wanted.len(), about.max(wanted.len()));
 }

@@ -6,17 +6,17 @@
 //! | [`axis`] | [`MedialAxis`] of a discretised curve, from the Voronoi diagram of its points | Amenta, Bern, Eppstein 1998 |
 //! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4, Definition 2 |
 //! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
-//! | [`discretise`] | [`Discretisation`]: the paper's points, or as many as the lfs asks for | |
+//! | [`discretise`] | [`measure`]: dense points, as many as the lfs asks for, and the lfs at each | |
 //! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners | |
 //!
 //! ```
 //! use curvecrust_curve::Curve;
-//! use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+//! use curvecrust_medial_axis::measure;
 //!
 //! // A stadium: two half circles of radius 1 joined by lines of length 4.
 //! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.05 }, Estimator::Voronoi, &|_, _| {})?;
+//! let measured = measure(&curve)?;
 //! // Its medial axis is the core segment: lfs is 1 everywhere.
 //! assert!((measured.lfs().at(0) - 1.0).abs() < 1e-3);
 //! assert!((measured.lfs().minimum() - 1.0).abs() < 1e-3);
@@ -33,7 +33,9 @@ pub mod pieces;
 pub mod shrinking_ball;
 
 pub use axis::{AxisEdge, MedialAxis};
-pub use discretise::{Discretisation, Estimator, Measured, measure};
+pub use discretise::{
+    Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure, measure_with,
+};
 pub use error::MedialAxisError;
 pub use lfs::LocalFeatureSize;
-pub use pieces::measure_pieces;
+pub use pieces::{MeasurePiecesOptions, measure_pieces, measure_pieces_with};

@@ -16,23 +16,41 @@
 //! the pieces cost by themselves.
 
 use curvecrust_curve::{CurveParam, DenseComponent, DenseCurve, SplitCurve};
-use curvecrust_geometry::{DVec2, SegmentTree};
+use curvecrust_geometry::{DVec2, Progress, SegmentTree};
 
 use crate::axis::MedialAxis;
 use crate::crossing::chord;
-use crate::discretise::{Measured, TOUCHING, refine_axis, settle};
+use crate::discretise::{GAP_TO_LFS, MeasuredCurve, TOUCHING, refine_axis, settle};
 use crate::error::MedialAxisError;
 use crate::lfs::LocalFeatureSize;
 
 /// sin 60°: HNN-Crust joins no edges that meet at a smaller angle.
 const SINE: f64 = 0.866_025_403_784_438_6;
 
-/// Discretises the pieces of a curve so that no gap is longer than a fraction of the lfs of its ends, which is
-/// what [this module](self) says. The components of the dense curve are the
-/// [pieces](SplitCurve::pieces), so that the point at a corner is there twice.
+/// How [`measure_pieces_with`] goes about it.
+#[derive(Clone, Copy, Debug)]
+pub struct MeasurePiecesOptions<'a> {
+    /// The largest gap between dense points as a fraction of the lfs at both, above 0 and at most 1; 0.02 by
+    /// default.
+    pub gap_to_lfs: f64,
+    /// Hears how many smooth parts have their medial axis, of how many.
+    pub progress: Progress<'a>,
+}
+
+impl Default for MeasurePiecesOptions<'_> {
+    fn default() -> Self {
+        Self {
+            gap_to_lfs: GAP_TO_LFS,
+            progress: Progress::default(),
+        }
+    }
+}
+
+/// Discretises the pieces of a curve so that no gap is longer than 0.02 of the lfs of its ends, which is what
+/// [this module](self) says. The components of the dense curve are the [pieces](SplitCurve::pieces), so that
+/// the point at a corner is there twice.
 ///
-/// Without corners it is [`measure`](crate::measure). `progress` is told how many smooth parts have their medial axis,
-/// of how many.
+/// Without corners it is [`measure`](crate::measure()).
 ///
 /// # Errors
 /// Those of [`measure`](crate::measure) for each smooth part;
@@ -44,24 +62,35 @@ const SINE: f64 = 0.866_025_403_784_438_6;
 ///
 /// // A bar of 10 by 1: half of its width is the lfs of its long sides.
 /// let bar = SplitCurve::from_path_data("M 0 0 H 10 V 1 H 0 Z")?;
-/// let measured = measure_pieces(&bar, 0.05, &|_, _| {})?;
+/// let measured = measure_pieces(&bar)?;
 /// assert_eq!(measured.dense().components().len(), 4);
 /// assert!((measured.lfs().minimum() - 0.5).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn measure_pieces(
+pub fn measure_pieces(split: &SplitCurve) -> Result<MeasuredCurve, MedialAxisError> {
+    measure_pieces_with(split, &MeasurePiecesOptions::default())
+}
+
+/// [`measure_pieces`] by the given [options](MeasurePiecesOptions).
+///
+/// # Errors
+/// Those of [`measure_pieces`], and [`GapToLfs`](MedialAxisError::GapToLfs).
+pub fn measure_pieces_with(
     split: &SplitCurve,
-    gap_to_lfs: f64,
-    progress: &dyn Fn(usize, usize),
-) -> Result<Measured, MedialAxisError> {
+    options: &MeasurePiecesOptions<'_>,
+) -> Result<MeasuredCurve, MedialAxisError> {
+    let MeasurePiecesOptions {
+        gap_to_lfs,
+        progress,
+    } = *options;
     let smooth = split.smooth_parts();
     let total = smooth.len();
     let mut parts = Vec::with_capacity(total);
     for (pieces, curve) in smooth {
-        progress(parts.len(), total);
-        let (axis, dense) = refine_axis(&curve, gap_to_lfs, &|_, _| ())?;
+        progress.report(parts.len(), total);
+        let (axis, dense) = refine_axis(&curve, gap_to_lfs, Progress::default())?;
         let lfs = LocalFeatureSize::new(&dense, &axis);
-        let measured = Measured::from_parts(dense, lfs);
+        let measured = MeasuredCurve::from_parts(dense, lfs);
         parts.push(Part {
             pieces,
             curve,
@@ -69,7 +98,7 @@ pub fn measure_pieces(
             measured,
         });
     }
-    progress(total, total);
+    progress.report(total, total);
     let least = TOUCHING * split.pieces().extent();
     let mut points = 0;
     loop {
@@ -92,7 +121,7 @@ struct Part {
     pieces: Vec<usize>,
     curve: curvecrust_curve::Curve,
     axis: MedialAxis,
-    measured: Measured,
+    measured: MeasuredCurve,
 }
 
 /// A piece as others see it.
@@ -172,30 +201,36 @@ impl Part {
             .map(|&piece| self.neighbours(split, outlines, piece))
             .collect();
         let dense = self.measured.dense().clone();
-        self.measured = settle(&self.curve, dense, gap_to_lfs, &|_, _| (), |dense| {
-            let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
-            for (component, neighbours) in dense.components().iter().zip(&neighbours) {
-                let range = component.range.clone();
-                let points = &dense.points()[range.clone()];
-                let values = &mut values[range];
-                for (value, &p) in values.iter_mut().zip(points) {
-                    for neighbour in neighbours {
-                        if neighbour.at_least / 2.0 >= *value {
-                            break;
+        self.measured = settle(
+            &self.curve,
+            dense,
+            gap_to_lfs,
+            Progress::default(),
+            |dense| {
+                let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
+                for (component, neighbours) in dense.components().iter().zip(&neighbours) {
+                    let range = component.range.clone();
+                    let points = &dense.points()[range.clone()];
+                    let values = &mut values[range];
+                    for (value, &p) in values.iter_mut().zip(points) {
+                        for neighbour in neighbours {
+                            if neighbour.at_least / 2.0 >= *value {
+                                break;
+                            }
+                            *value = value.min(neighbour.bound(p));
                         }
-                        *value = value.min(neighbour.bound(p));
                     }
+                    make_lipschitz(points, values, component.closed);
                 }
-                make_lipschitz(points, values, component.closed);
-            }
-            match values.iter().position(|&value| value < least) {
-                None => Ok(LocalFeatureSize::from_values(values)),
-                Some(i) => Err(MedialAxisError::Touching {
-                    at: dense.points()[i],
-                    distance: least,
-                }),
-            }
-        })?;
+                match values.iter().position(|&value| value < least) {
+                    None => Ok(LocalFeatureSize::from_values(values)),
+                    Some(i) => Err(MedialAxisError::Touching {
+                        at: dense.points()[i],
+                        distance: least,
+                    }),
+                }
+            },
+        )?;
         Ok(())
     }
 
@@ -240,7 +275,7 @@ fn make_lipschitz(points: &[DVec2], values: &mut [f64], closed: bool) {
 }
 
 /// All pieces, in their order.
-fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<Measured, MedialAxisError> {
+fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<MeasuredCurve, MedialAxisError> {
     let mut places = vec![(0, 0); split.pieces().components().len()];
     for (index, part) in parts.iter().enumerate() {
         for (component, &piece) in part.pieces.iter().enumerate() {
@@ -266,7 +301,7 @@ fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<Measured, MedialAxisE
         });
     }
     let dense = DenseCurve::new(points, params, components)?;
-    Ok(Measured::from_parts(
+    Ok(MeasuredCurve::from_parts(
         dense,
         LocalFeatureSize::from_values(values),
     ))

@@ -4,7 +4,7 @@
 use curvecrust_curve::DenseCurve;
 use curvecrust_curve::analytic::{Circle, ConcentricCircles, Ellipse, ParallelSegments, Stadium};
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::{Estimator, Measured, MedialAxis};
+use curvecrust_medial_axis::{Estimator, MeasuredCurve, MedialAxis};
 
 /// A name, dense points for a number of them per quarter circle, and the closed form.
 type Oracle = (
@@ -50,7 +50,7 @@ fn oracles() -> Vec<Oracle> {
 
 /// The largest relative error of the estimate.
 fn error(dense: DenseCurve, truth: impl Fn(DVec2) -> f64, estimator: Estimator) -> f64 {
-    let measured = Measured::new(dense, estimator).unwrap();
+    let measured = MeasuredCurve::new(dense, estimator).unwrap();
     let points = measured.dense().points().iter();
     points
         .zip(measured.lfs().values())
@@ -96,7 +96,7 @@ fn the_axis_of_a_circle_is_its_centre() {
 #[test]
 fn scale_and_place_do_not_matter() {
     let reference = Ellipse::new(3.0, 1.0).unwrap().dense(100).unwrap();
-    let lfs = Measured::new(reference, Estimator::Voronoi).unwrap();
+    let lfs = MeasuredCurve::new(reference, Estimator::Voronoi).unwrap();
     for scale in [1e-9, 1e9] {
         let moved = Ellipse::new(3.0 * scale, scale).unwrap();
         let moved = moved.dense(100).unwrap();
@@ -106,7 +106,7 @@ fn scale_and_place_do_not_matter() {
             .map(|p| *p + DVec2::new(7.0, 5.0) * scale);
         let (params, parts) = (moved.params().to_vec(), moved.components().to_vec());
         let moved = DenseCurve::new(points.collect(), params, parts).unwrap();
-        let moved = Measured::new(moved, Estimator::Voronoi).unwrap();
+        let moved = MeasuredCurve::new(moved, Estimator::Voronoi).unwrap();
         for (a, b) in lfs.lfs().values().iter().zip(moved.lfs().values()) {
             assert!((a * scale / b - 1.0).abs() < 1e-8);
         }
@@ -116,14 +116,13 @@ fn scale_and_place_do_not_matter() {
 #[test]
 fn jumps_of_curvature_do_not_make_lfs_too_large() {
     use curvecrust_curve::Curve;
-    use curvecrust_medial_axis::{Discretisation, measure};
+    use curvecrust_medial_axis::measure;
     // Curvature jumps at the joins of its Béziers, where branches of the axis end.
     let curve = Curve::from_svg(include_str!("../../../fixtures/curves/violin.svg")).unwrap();
-    let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.02 };
-    let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
+    let measured = measure(&curve).unwrap();
     let eight = vec![8; measured.dense().len()];
     let fine = measured.dense().refined(&curve, &eight).unwrap();
-    let fine = Measured::new(fine, Estimator::Voronoi).unwrap();
+    let fine = MeasuredCurve::new(fine, Estimator::Voronoi).unwrap();
     // Every eighth of the finer points is one of the others.
     for (i, lfs) in measured.lfs().values().iter().enumerate() {
         assert!(lfs / fine.lfs().at(8 * i) < 1.005, "{i}");

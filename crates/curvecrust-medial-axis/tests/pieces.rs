@@ -3,14 +3,24 @@
 
 use curvecrust_curve::SplitCurve;
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::{Measured, MedialAxisError, measure_pieces};
+use curvecrust_medial_axis::{
+    MeasurePiecesOptions, MeasuredCurve, MedialAxisError, measure_pieces_with,
+};
 
-fn measured(d: &str) -> Measured {
-    measure_pieces(&SplitCurve::from_path_data(d).unwrap(), 0.05, &|_, _| {}).unwrap()
+fn by(split: &SplitCurve, gap_to_lfs: f64) -> Result<MeasuredCurve, MedialAxisError> {
+    let options = MeasurePiecesOptions {
+        gap_to_lfs,
+        ..MeasurePiecesOptions::default()
+    };
+    measure_pieces_with(split, &options)
+}
+
+fn measured(d: &str) -> MeasuredCurve {
+    by(&SplitCurve::from_path_data(d).unwrap(), 0.05).unwrap()
 }
 
 /// The lfs of a piece where its dense points are nearest to a place.
-fn near(measured: &Measured, piece: usize, at: DVec2) -> f64 {
+fn near(measured: &MeasuredCurve, piece: usize, at: DVec2) -> f64 {
     let range = measured.dense().components()[piece].range.clone();
     let distance = |&i: &usize| measured.dense().points()[i].distance(at);
     let nearest = range.min_by(|i, j| distance(i).total_cmp(&distance(j)));
@@ -64,9 +74,9 @@ fn gaps_are_as_short_as_asked_for() {
 #[test]
 fn pieces_that_touch_are_refused() {
     let crossing = SplitCurve::from_path_data("M 0 0 H 4 V 4 H 0 Z M 2 2 H 6 V 6 H 2 Z").unwrap();
-    let error = measure_pieces(&crossing, 0.05, &|_, _| {}).unwrap_err();
+    let error = by(&crossing, 0.05).unwrap_err();
     assert!(matches!(error, MedialAxisError::Touching { .. }), "{error}");
     let bar = SplitCurve::from_path_data("M 0 0 H 10 V 1 H 0 Z").unwrap();
-    let error = measure_pieces(&bar, 0.0, &|_, _| {}).unwrap_err();
+    let error = by(&bar, 0.0).unwrap_err();
     assert!(matches!(error, MedialAxisError::GapToLfs(_)), "{error}");
 }

@@ -2,13 +2,23 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use curvecrust_curve::Curve;
-use curvecrust_medial_axis::{Discretisation, Estimator, MedialAxisError, measure};
+use curvecrust_medial_axis::{
+    Discretisation, MeasureOptions, MeasuredCurve, MedialAxisError, measure_with,
+};
 
 const ADAPTIVE: Discretisation = Discretisation::Adaptive { gap_to_lfs: 0.05 };
 
+fn by(curve: &Curve, discretisation: Discretisation) -> Result<MeasuredCurve, MedialAxisError> {
+    let options = MeasureOptions {
+        discretisation,
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options)
+}
+
 fn refusal(d: &str, discretisation: Discretisation) -> MedialAxisError {
     let curve = Curve::from_path_data(d).unwrap();
-    measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap_err()
+    by(&curve, discretisation).unwrap_err()
 }
 
 #[test]
@@ -113,7 +123,7 @@ fn more_points_than_the_limit() {
 fn a_lone_segment_has_no_axis() {
     let curve = Curve::from_path_data("M 0 0 L 7 3").unwrap();
     for discretisation in [ADAPTIVE, Discretisation::PerSegment(300)] {
-        let measured = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
+        let measured = by(&curve, discretisation).unwrap();
         assert!(measured.lfs().values().iter().all(|lfs| lfs.is_infinite()));
     }
 }

@@ -11,29 +11,18 @@
 //! Cost: O(n) for n dense points.
 
 use curvecrust_curve::{Curve, DENSE_LIMIT, DenseError};
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, MedialAxisError, measure};
+use curvecrust_medial_axis::{
+    Discretisation, MeasureOptions, MeasuredCurve, MedialAxisError, measure_with,
+};
 
-use crate::check::{Attained, verdict};
 use crate::condition::{Bound, Condition};
 use crate::error::{SAMPLE_LIMIT, SamplingError};
 use crate::gaps::Gaps;
-use crate::placed::PlacedSamples;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
-
-/// Samples that satisfy a condition at every point of their curve, lfs being as measured.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CertifiedSampling {
-    /// The samples.
-    pub samples: SampledCurve,
-    /// The condition.
-    pub condition: Condition,
-    /// The largest epsilon, or rho, that they attain, and where: `at_most` is below the bound of the
-    /// condition. `None` for a curve without points.
-    pub attained: Option<Attained>,
-}
+use crate::sampling::{SampleOptions, Sampling};
 
 /// Samples every component of a curve greedily, from its first dense point, so that the condition holds
-/// at every point of the curve.
+/// at every point of the curve, lfs being as measured: what is `attained` is `at_most` below its bound.
 ///
 /// Both ends of an open component are samples. The finer the dense points, the fewer samples, up to
 /// about (gap / lfs) / bound of them; [`sample_fewest`](crate::sample_fewest) looks for a better start.
@@ -44,21 +33,18 @@ pub struct CertifiedSampling {
 ///
 /// ```
 /// use curvecrust_curve::Curve;
-/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+/// use curvecrust_medial_axis::measure;
 /// use curvecrust_sampling::{Condition, sample};
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi, &|_, _| {})?;
-/// let certified = sample(&measured, Condition::rho(0.9)?)?;
-/// let attained = certified.attained.unwrap();
+/// let measured = measure(&curve)?;
+/// let sampling = sample(&measured, Condition::rho(0.9)?)?;
+/// let attained = sampling.attained.unwrap();
 /// assert!(0.85 < attained.bound && attained.at_most < 0.9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn sample(
-    measured: &Measured,
-    condition: Condition,
-) -> Result<CertifiedSampling, SamplingError> {
+pub fn sample(measured: &MeasuredCurve, condition: Condition) -> Result<Sampling, SamplingError> {
     certified(measured, condition, |gaps| walk(gaps, condition, 0))
 }
 
@@ -69,19 +55,41 @@ const GAP_TO_BOUND: f64 = 0.05;
 /// Gaps that are to be smaller are tried at first, to see how many there would be.
 const TRIED: f64 = 1e-3;
 
-/// Discretises a curve as finely as the condition asks for, and [samples](sample) it. `progress` is that of
-/// [`measure`], once for every discretisation that is tried.
+/// Discretises a curve as finely as the condition asks for, and [samples](sample) it.
 ///
 /// # Errors
-/// Those of [`measure`], in [`SamplingError::Measure`]; and [`TooMany`](SamplingError::TooMany).
-pub fn sample_curve(
+/// Those of [`measure`](curvecrust_medial_axis::measure()), in [`SamplingError::Measure`]; and
+/// [`TooMany`](SamplingError::TooMany).
+///
+/// ```
+/// use curvecrust_curve::Curve;
+/// use curvecrust_sampling::{Condition, sample_curve};
+///
+/// let circle = Curve::from_path_data("M 1 0 A 1 1 0 0 1 -1 0 A 1 1 0 0 1 1 0 Z")?;
+/// assert_eq!(sample_curve(&circle, Condition::rho(0.9)?)?.samples.len(), 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sample_curve(curve: &Curve, condition: Condition) -> Result<Sampling, SamplingError> {
+    sample_curve_with(curve, condition, &SampleOptions::default())
+}
+
+/// [`sample_curve`] by the given [options](SampleOptions). The progress is that of
+/// [`measure_with`], once for every discretisation that is tried.
+///
+/// # Errors
+/// Those of [`sample_curve`].
+pub fn sample_curve_with(
     curve: &Curve,
     condition: Condition,
-    progress: &dyn Fn(usize, usize),
-) -> Result<(Measured, CertifiedSampling), SamplingError> {
+    options: &SampleOptions<'_>,
+) -> Result<Sampling, SamplingError> {
     let measured = |gap_to_lfs| {
-        let discretisation = Discretisation::Adaptive { gap_to_lfs };
-        measure(curve, discretisation, Estimator::Voronoi, progress)
+        let options = MeasureOptions {
+            discretisation: Discretisation::Adaptive { gap_to_lfs },
+            progress: options.progress,
+            ..MeasureOptions::default()
+        };
+        measure_with(curve, &options)
     };
     as_finely_as_needed(condition, measured, |measured| sample(measured, condition))
 }
@@ -89,9 +97,9 @@ pub fn sample_curve(
 /// Samples what is measured at gaps that are small enough.
 pub(crate) fn as_finely_as_needed(
     condition: Condition,
-    measured: impl Fn(f64) -> Result<Measured, MedialAxisError>,
-    sample: impl Fn(&Measured) -> Result<CertifiedSampling, SamplingError>,
-) -> Result<(Measured, CertifiedSampling), SamplingError> {
+    measured: impl Fn(f64) -> Result<MeasuredCurve, MedialAxisError>,
+    sample: impl Fn(&MeasuredCurve) -> Result<Sampling, SamplingError>,
+) -> Result<Sampling, SamplingError> {
     let wanted = GAP_TO_LFS.min(GAP_TO_BOUND * condition.bound().value());
     let mut gap_to_lfs = wanted.max(TRIED);
     let mut too_many = None;
@@ -106,7 +114,7 @@ pub(crate) fn as_finely_as_needed(
             wanted
         } else {
             match sample(&measured) {
-                Ok(certified) => return Ok((measured, certified)),
+                Ok(sampling) => return Ok(sampling),
                 Err(SamplingError::TooCoarse { .. }) if gap_to_lfs > f64::EPSILON => {
                     gap_to_lfs / 4.0
                 }
@@ -124,10 +132,10 @@ pub(crate) fn as_finely_as_needed(
 /// The sampling of all components, each by the positions of its samples, ascending, or else by the position of
 /// a gap that is too long.
 pub(crate) fn certified(
-    measured: &Measured,
+    measured: &MeasuredCurve,
     condition: Condition,
     mut positions: impl FnMut(&Gaps) -> Result<Vec<usize>, usize>,
-) -> Result<CertifiedSampling, SamplingError> {
+) -> Result<Sampling, SamplingError> {
     let all = Gaps::of(measured);
     let mut samples = SampledCurve::default();
     for (component, gaps) in all.iter().enumerate() {
@@ -142,12 +150,7 @@ pub(crate) fn certified(
             });
         }
     }
-    let placed = PlacedSamples::of(measured, &samples)?;
-    Ok(CertifiedSampling {
-        attained: verdict(&all, &placed, condition).worst,
-        samples,
-        condition,
-    })
+    Ok(Sampling::new(measured, &all, samples, Some(condition)))
 }
 
 /// The positions of greedy samples from `start`, over a round or to the end of an open component; or
@@ -172,7 +175,11 @@ pub(crate) fn walk(gaps: &Gaps, condition: Condition, start: usize) -> Result<Ve
 }
 
 /// What to say of the gap after a dense point.
-pub(crate) fn too_coarse(measured: &Measured, condition: Condition, index: usize) -> SamplingError {
+pub(crate) fn too_coarse(
+    measured: &MeasuredCurve,
+    condition: Condition,
+    index: usize,
+) -> SamplingError {
     let (asked, count) = asked_for(measured, condition);
     if count > SAMPLE_LIMIT as f64 {
         return asked;
@@ -189,7 +196,7 @@ pub(crate) fn too_coarse(measured: &Measured, condition: Condition, index: usize
 }
 
 /// About how many samples a condition asks for, and what to say of that if it is too many.
-fn asked_for(measured: &Measured, condition: Condition) -> (SamplingError, f64) {
+fn asked_for(measured: &MeasuredCurve, condition: Condition) -> (SamplingError, f64) {
     let (name, bound) = match condition.bound() {
         Bound::Epsilon(epsilon) => ("epsilon", epsilon),
         Bound::Rho(rho) => ("rho", rho),
@@ -208,7 +215,7 @@ fn asked_for(measured: &Measured, condition: Condition) -> (SamplingError, f64) 
 }
 
 /// How many steps go along all components, each as long as it may be where lfs is what it is.
-fn steps(measured: &Measured, step: impl Fn(f64) -> f64) -> f64 {
+fn steps(measured: &MeasuredCurve, step: impl Fn(f64) -> f64) -> f64 {
     let (dense, lfs) = (measured.dense(), measured.lfs());
     let of_gap = |i: usize| {
         let next = dense.next(i)?;

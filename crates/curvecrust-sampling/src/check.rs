@@ -12,7 +12,7 @@
 use std::ops::Range;
 
 use curvecrust_geometry::{DVec2, Segment};
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::{Bound, Condition};
 use crate::gaps::Gaps;
@@ -77,11 +77,11 @@ impl Verdict {
 /// ```
 /// use curvecrust_curve::Curve;
 /// use curvecrust_geometry::DVec2;
-/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+/// use curvecrust_medial_axis::measure;
 /// use curvecrust_sampling::{PlacedSamples, effective_epsilon};
 ///
 /// let circle = Curve::from_path_data("M 1 0 A 1 1 0 0 1 -1 0 A 1 1 0 0 1 1 0 Z")?;
-/// let measured = measure(&circle, Discretisation::Adaptive { gap_to_lfs: 0.01 }, Estimator::Voronoi, &|_, _| {})?;
+/// let measured = measure(&circle)?;
 /// let corners = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
 /// let square = PlacedSamples::project(&measured, &corners, 1e-4)?.samples;
 /// // The worst points are 45 degrees from the corners.
@@ -91,31 +91,23 @@ impl Verdict {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
-pub fn effective_epsilon(measured: &Measured, samples: &PlacedSamples) -> Option<Attained> {
-    worst(&intervals(
-        &Gaps::of(measured),
-        samples,
-        Bound::Epsilon(1.0),
-    ))
+pub fn effective_epsilon(measured: &MeasuredCurve, samples: &PlacedSamples) -> Option<Attained> {
+    attained(&Gaps::of(measured), samples, Bound::Epsilon(1.0))
 }
 
 /// The smallest rho for which samples are a rho-sample, with the interval that asks for it; `None` for
 /// a curve without points.
 #[must_use]
-pub fn effective_rho(measured: &Measured, samples: &PlacedSamples) -> Option<Attained> {
-    worst(&intervals(&Gaps::of(measured), samples, Bound::Rho(1.0)))
+pub fn effective_rho(measured: &MeasuredCurve, samples: &PlacedSamples) -> Option<Attained> {
+    attained(&Gaps::of(measured), samples, Bound::Rho(1.0))
 }
 
 /// Whether samples satisfy a condition, and every interval on which they do not.
 ///
 /// Samples that were placed on another dense curve may count as none.
 #[must_use]
-pub fn check(measured: &Measured, samples: &PlacedSamples, condition: Condition) -> Verdict {
-    verdict(&Gaps::of(measured), samples, condition)
-}
-
-pub(crate) fn verdict(all: &[Gaps], samples: &PlacedSamples, condition: Condition) -> Verdict {
-    let found = intervals(all, samples, condition.bound());
+pub fn check(measured: &MeasuredCurve, samples: &PlacedSamples, condition: Condition) -> Verdict {
+    let found = intervals(&Gaps::of(measured), samples, condition.bound());
     let bound = condition.bound().value();
     let limit = condition.hausdorff_limit().unwrap_or(f64::INFINITY);
     let limited = condition.hausdorff_limit().is_some();
@@ -129,6 +121,11 @@ pub(crate) fn verdict(all: &[Gaps], samples: &PlacedSamples, condition: Conditio
             .filter(|a| !within(a.bound, a.deviation))
             .collect(),
     }
+}
+
+/// What samples attain; the value of the bound does not matter.
+pub(crate) fn attained(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Option<Attained> {
+    worst(&intervals(all, samples, kind))
 }
 
 /// The first of the intervals with the largest bound.

@@ -32,6 +32,21 @@ pub struct Condition {
     hausdorff_limit: Option<f64>,
 }
 
+/// How far the curve may be from the chord between two consecutive samples, at every point of it: what
+/// [`sample_verified`](crate::sample_verified()) keeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DeviationLimit {
+    /// As far as it likes. Then the manifold boundary need not look like the curve at all: most curves
+    /// end up with four samples, of which HNN-Crust returns the quadrilateral.
+    None,
+    /// Nearer than this length: a Hausdorff limit.
+    Length(f64),
+    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial axis: the point
+    /// of the chord that is nearest to a curve point moves along all of it, and is within lfs every time. So the
+    /// polygon can be deformed into the curve without touching the axis.
+    OfLfs(f64),
+}
+
 /// Why values do not form a [`Condition`].
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -68,7 +83,7 @@ impl Condition {
 
     /// The same condition, and every point of an interval lies nearer than `limit` to the chord of
     /// its two samples. `limit` is a length in the unit of the curve. The samplers of
-    /// [`greedy`](crate::greedy) take the line through the samples, as the authors' program does.
+    /// [`dense_points`](crate::dense_points) take the line through the samples, as the authors' program does.
     ///
     /// # Errors
     /// If the limit is not above 0, or NaN.

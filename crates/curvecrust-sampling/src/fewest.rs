@@ -25,13 +25,14 @@
 //! With a limit: J for every dense point, then jumps of 2^i steps by doubling, and the smallest number of steps
 //! that goes round from any start. Cost: O(n log n).
 
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 use rayon::prelude::*;
 
-use crate::certified::{CertifiedSampling, certified, walk};
+use crate::certified::{certified, walk};
 use crate::condition::Condition;
 use crate::error::SamplingError;
 use crate::gaps::Gaps;
+use crate::sampling::{SampleOptions, Sampling};
 
 /// Starts in a row, each of which helps the next; one item of progress.
 const CHUNK: usize = 2048;
@@ -41,36 +42,46 @@ const CHUNK: usize = 2048;
 ///
 /// Without a Hausdorff limit no certified sampling at these dense points has fewer samples; with one, there are
 /// no more than from any one dense point. Of equally good starts always the same is taken, the first dense
-/// point if it is one; the samples of each component are in the order of its dense points. `progress` is told
-/// how many dense points are done, of how many.
+/// point if it is one; the samples of each component are in the order of its dense points.
 ///
 /// # Errors
 /// Those of [`sample`](crate::sample).
 ///
 /// ```
 /// use curvecrust_curve::Curve;
-/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+/// use curvecrust_medial_axis::measure;
 /// use curvecrust_sampling::{Condition, sample, sample_fewest};
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
+/// let measured = measure(&curve)?;
 /// let rho = Condition::rho(0.9)?;
-/// let fewest = sample_fewest(&measured, rho, &|_done, _of| {})?;
+/// let fewest = sample_fewest(&measured, rho)?;
 /// assert!(fewest.samples.len() <= sample(&measured, rho)?.samples.len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sample_fewest(
-    measured: &Measured,
+    measured: &MeasuredCurve,
     condition: Condition,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<CertifiedSampling, SamplingError> {
-    let total = measured.dense().len();
-    progress(0, total);
+) -> Result<Sampling, SamplingError> {
+    sample_fewest_with(measured, condition, &SampleOptions::default())
+}
+
+/// [`sample_fewest`] by the given [options](SampleOptions).
+///
+/// # Errors
+/// Those of [`sample_fewest`].
+pub fn sample_fewest_with(
+    measured: &MeasuredCurve,
+    condition: Condition,
+    options: &SampleOptions<'_>,
+) -> Result<Sampling, SamplingError> {
+    let (progress, total) = (options.progress, measured.dense().len());
+    progress.report(0, total);
     certified(measured, condition, |gaps| {
-        let told = |done: usize| progress(gaps.range.start + done, total);
-        let positions = positions(gaps, condition, &told)?;
-        progress(gaps.range.end, total);
+        let on_component = |done: usize| progress.report(gaps.range.start + done, total);
+        let positions = positions(gaps, condition, &on_component)?;
+        progress.report(gaps.range.end, total);
         Ok(positions)
     })
 }
@@ -197,7 +208,7 @@ mod tests {
 
     use super::*;
     use curvecrust_curve::Curve;
-    use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+    use curvecrust_medial_axis::{Discretisation, MeasureOptions, measure_with};
 
     #[test]
     fn no_start_needs_fewer() {
@@ -207,8 +218,11 @@ mod tests {
             "M 0 0 C 20 20 40 -20 60 0 S 90 30 60 40 S 20 30 0 40 S -20 -20 0 0 Z",
         ] {
             let curve = Curve::from_path_data(d).unwrap();
-            let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.05 };
-            let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
+            let options = MeasureOptions {
+                discretisation: Discretisation::Adaptive { gap_to_lfs: 0.05 },
+                ..MeasureOptions::default()
+            };
+            let measured = measure_with(&curve, &options).unwrap();
             let gaps = &Gaps::of(&measured)[0];
             for b in [0.9, 0.7, 0.5, 0.4, 0.3, 0.25] {
                 let limit = 0.002 * curve.extent();

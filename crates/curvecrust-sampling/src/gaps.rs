@@ -16,10 +16,9 @@ use std::ops::Range;
 
 use curvecrust_curve::DenseComponent;
 use curvecrust_geometry::{DVec2, Segment};
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
-use crate::condition::{Bound, Condition};
-use crate::verified::DeviationLimit;
+use crate::condition::{Bound, Condition, DeviationLimit};
 
 /// What rounding could take from any of the lengths that are compared.
 const SAFE: f64 = 1.0 - 1e-9;
@@ -70,12 +69,12 @@ fn arc_length(chord: f64, lfs: f64) -> f64 {
 
 impl<'a> Gaps<'a> {
     /// Those of every component.
-    pub(crate) fn of(measured: &'a Measured) -> Vec<Self> {
+    pub(crate) fn of(measured: &'a MeasuredCurve) -> Vec<Self> {
         let components = measured.dense().components();
         components.iter().map(|c| Self::new(measured, c)).collect()
     }
 
-    fn new(measured: &'a Measured, component: &DenseComponent) -> Self {
+    fn new(measured: &'a MeasuredCurve, component: &DenseComponent) -> Self {
         let DenseComponent { range, closed } = component.clone();
         let mut gaps = Self {
             points: &measured.dense().points()[range.clone()],

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::{Bound, Condition};
 
@@ -35,7 +35,7 @@ impl Slack {
 }
 
 impl Track {
-    pub(crate) fn new(measured: &Measured, range: Range<usize>, closed: bool) -> Self {
+    pub(crate) fn new(measured: &MeasuredCurve, range: Range<usize>, closed: bool) -> Self {
         let rounds = if closed { 2 } else { 1 };
         let points = measured.dense().points()[range.clone()].repeat(rounds);
         let lfs = measured.lfs().values()[range].repeat(rounds);

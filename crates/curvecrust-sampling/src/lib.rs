@@ -14,19 +14,20 @@
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
 //! | [`noise`] | [`with_noise`], [`with_outliers`]: samples that went wrong | |
 //! | [`placed`] | [`PlacedSamples`]: samples of any origin, by their places on a curve | |
-//! | [`greedy`] | [`sample_greedy`]: tested at dense points only; [`sample_as_published`]: the authors' form | Section 8.2 |
+//! | [`dense_points`] | [`sample_at_dense_points`], and [`sample_as_published`] as the authors' program does it: tested at dense points only | Section 8.2 |
+//! | [`sampling`] | [`Sampling`]: what every sampler returns | |
 //! | [`sampled_curve`] | [`SampledCurve`]: samples in curve order, and the [manifold boundary](SampledCurve::manifold_boundary) | Section 4 |
 //! | [`error`] | [`SamplingError`]: the place, and what to do | |
 //! | [`theory`] | what the bounds imply: angles, sample counts, distances | Lemmas 8 to 10, Theorem 1, Table 1 |
 //!
 //! ```
 //! use curvecrust_curve::Curve;
-//! use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+//! use curvecrust_medial_axis::measure;
 //! use curvecrust_sampling::{Condition, sample};
 //!
 //! let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
+//! let measured = measure(&curve)?;
 //! let sparse = sample(&measured, Condition::rho(0.9)?)?.samples;
 //! let dense = sample(&measured, Condition::epsilon(1.0 / 3.0)?)?.samples;
 //! assert!(2 * sparse.len() < dense.len());
@@ -36,29 +37,31 @@
 pub mod certified;
 pub mod check;
 pub mod condition;
+pub mod dense_points;
 pub mod error;
 pub mod fewest;
 mod gaps;
-pub mod greedy;
 mod interval;
 pub mod noise;
 pub mod pieces;
 pub mod placed;
 mod random;
 pub mod sampled_curve;
+pub mod sampling;
 pub mod theory;
 pub mod uneven;
 pub mod verified;
 
-pub use certified::{CertifiedSampling, sample, sample_curve};
+pub use certified::{sample, sample_curve, sample_curve_with};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
-pub use condition::{Bound, Condition, ConditionError};
+pub use condition::{Bound, Condition, ConditionError, DeviationLimit};
+pub use dense_points::{sample_as_published, sample_at_dense_points};
 pub use error::{SAMPLE_LIMIT, SamplingError};
-pub use fewest::sample_fewest;
-pub use greedy::{sample_as_published, sample_greedy};
-pub use noise::{Noise, NoiseShape, NoiseSize, with_noise, with_outliers};
-pub use pieces::{SplitSampling, sample_split};
+pub use fewest::{sample_fewest, sample_fewest_with};
+pub use noise::{Noise, NoiseShape, NoiseSize, Outliers, with_noise, with_outliers};
+pub use pieces::{sample_split, sample_split_with};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
-pub use uneven::{sample_unevenly, sample_uniformly};
-pub use verified::{DeviationLimit, Verification, VerifiedSampling, sample_verified};
+pub use sampling::{SampleOptions, Sampling};
+pub use uneven::{UnevenOptions, sample_unevenly, sample_unevenly_with, sample_uniformly};
+pub use verified::{VerifyOptions, sample_verified, sample_verified_with};

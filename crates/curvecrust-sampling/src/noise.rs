@@ -1,19 +1,42 @@
 //! Samples that went wrong: seeded noise and outliers, for what reconstructions make of them.
 
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::Measured;
 
 use crate::error::SamplingError;
 use crate::random::Random;
-use crate::sampled_curve::SampledCurve;
+use crate::sampling::Sampling;
 
 /// How samples are displaced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// The distribution of the displacements.
+    /// The distribution of the displacements; Gaussian by default.
     pub shape: NoiseShape,
-    /// Its size: the standard deviation of either coordinate, or the radius of the disc.
+    /// Its size: the standard deviation of either coordinate, or the radius of the disc. A tenth of lfs by
+    /// default.
     pub size: NoiseSize,
+    /// Where the random numbers begin: the same seed gives the same points. 0 by default.
+    pub seed: u64,
+}
+
+impl Default for Noise {
+    fn default() -> Self {
+        Self {
+            shape: NoiseShape::Gaussian,
+            size: NoiseSize::OfLfs(0.1),
+            seed: 0,
+        }
+    }
+}
+
+/// Points to add that belong to no curve.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Outliers {
+    /// How many; none by default.
+    pub count: usize,
+    /// How far beyond the bounding box of the points they may be, as a fraction of its larger side; 0 by default.
+    pub margin: f64,
+    /// Where the random numbers begin: the same seed gives the same points. 0 by default.
+    pub seed: u64,
 }
 
 /// How displacements are distributed.
@@ -34,17 +57,15 @@ pub enum NoiseSize {
     OfExtent(f64),
 }
 
-/// The samples, in their order, each displaced at random. The same seed gives the same points.
+/// The samples, in their order, each displaced at random.
 ///
 /// # Errors
 /// [`Parameter`](SamplingError::Parameter) if the fraction is negative or not finite;
 /// [`NoSuchPlace`](SamplingError::NoSuchPlace) if the samples are of another dense curve.
-pub fn with_noise(
-    measured: &Measured,
-    sampled: &SampledCurve,
-    noise: Noise,
-    seed: u64,
-) -> Result<Vec<DVec2>, SamplingError> {
+pub fn with_noise(sampling: &Sampling, noise: Noise) -> Result<Vec<DVec2>, SamplingError> {
+    let Sampling {
+        samples, measured, ..
+    } = sampling;
     let (NoiseSize::OfLfs(fraction) | NoiseSize::OfExtent(fraction)) = noise.size;
     if !(fraction >= 0.0 && fraction.is_finite()) {
         return Err(SamplingError::Parameter {
@@ -55,8 +76,8 @@ pub fn with_noise(
     }
     let (low, high) = bounds(measured.dense().points());
     let extent = (high - low).max_element().max(0.0);
-    let mut random = Random::new(seed);
-    let samples = sampled.points().iter().zip(sampled.dense_indices());
+    let mut random = Random::new(noise.seed);
+    let samples = samples.points().iter().zip(samples.dense_indices());
     let displaced = samples.enumerate().map(|(index, (&p, &dense))| {
         let lfs = measured.lfs().values().get(dense).copied();
         let lfs = lfs.ok_or(SamplingError::NoSuchPlace {
@@ -90,17 +111,17 @@ fn in_disc(random: &mut Random) -> (DVec2, f64) {
     }
 }
 
-/// The points, and after them `count` more that are uniform in their bounding box, widened on all sides by
-/// a fraction of its larger side. No points have no outliers.
+/// The points, and after them outliers that are uniform in their bounding box, widened on all sides by the
+/// margin. No points have no outliers.
 ///
 /// # Errors
-/// [`Parameter`](SamplingError::Parameter) if the fraction is negative or not finite.
-pub fn with_outliers(
-    points: &[DVec2],
-    count: usize,
-    margin: f64,
-    seed: u64,
-) -> Result<Vec<DVec2>, SamplingError> {
+/// [`Parameter`](SamplingError::Parameter) if the margin is negative or not finite.
+pub fn with_outliers(points: &[DVec2], outliers: Outliers) -> Result<Vec<DVec2>, SamplingError> {
+    let Outliers {
+        count,
+        margin,
+        seed,
+    } = outliers;
     if !(margin >= 0.0 && margin.is_finite()) {
         return Err(SamplingError::Parameter {
             name: "margin",

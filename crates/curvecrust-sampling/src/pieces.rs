@@ -12,14 +12,16 @@
 //!   none is left over close to the corner.
 
 use curvecrust_curve::{Corner, SplitCurve};
-use curvecrust_medial_axis::{Measured, measure_pieces};
+use curvecrust_medial_axis::{MeasurePiecesOptions, MeasuredCurve, measure_pieces_with};
 
-use crate::certified::{CertifiedSampling, as_finely_as_needed, certified, walk};
+use crate::certified::{as_finely_as_needed, certified, walk};
+use crate::check::Interval;
 use crate::condition::Condition;
 use crate::error::SamplingError;
 use crate::fewest;
 use crate::gaps::Gaps;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
+use crate::sampling::{SampleOptions, Sampling};
 
 /// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
 const LEAST_ANGLE: f64 = 60.0;
@@ -28,20 +30,13 @@ const ALIKE: f64 = 1.02;
 /// So often is the range of bounds halved that need as many samples.
 const HALVINGS: usize = 8;
 
-/// Samples of a curve with corners.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SplitSampling {
-    /// The samples of every piece by itself: its components are the pieces, and a corner is a sample of both
-    /// pieces that meet there.
-    pub pieces: CertifiedSampling,
-    /// The samples of the whole: its components are those of the curve, and a corner is a sample once, with the
-    /// parameter and the dense point that start the piece after it.
-    pub samples: SampledCurve,
-}
-
 /// Discretises the pieces of a curve as finely as the condition asks for, and samples each from one corner to the
-/// next; components without a corner from the best of all starts. `progress` is that of [`measure_pieces`], once for
-/// every discretisation that is tried.
+/// next; components without a corner from the best of all starts.
+///
+/// The components of the samples are those of the curve; a corner is a sample once, with the parameter and the
+/// dense point that start the piece after it. The components of the measured curve are the pieces, so that the
+/// last sample of a piece before a corner is not among its own dense points. What is attained is the largest
+/// value on any piece.
 ///
 /// # Errors
 /// [`SharpCorners`](SamplingError::SharpCorners), and those of [`sample_curve`](crate::sample_curve).
@@ -52,27 +47,40 @@ pub struct SplitSampling {
 /// use curvecrust_sampling::{Condition, sample_split};
 ///
 /// let half_disc = SplitCurve::from_path_data("M 0 0 A 1 1 0 0 1 2 0 Z")?;
-/// let (_, sampling) = sample_split(&half_disc, Condition::rho(0.9)?, &|_, _| {})?;
-/// let samples = sampling.samples;
+/// let samples = sample_split(&half_disc, Condition::rho(0.9)?)?.samples;
 /// for corner in half_disc.corners() {
 ///     assert!(samples.points().contains(&corner.at));
 /// }
 /// assert_eq!(hnn_crust(&samples.point_set()?), samples.manifold_boundary());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn sample_split(
+pub fn sample_split(split: &SplitCurve, condition: Condition) -> Result<Sampling, SamplingError> {
+    sample_split_with(split, condition, &SampleOptions::default())
+}
+
+/// [`sample_split`] by the given [options](SampleOptions). The progress is that of [`measure_pieces_with`], once
+/// for every discretisation that is tried.
+///
+/// # Errors
+/// Those of [`sample_split`].
+pub fn sample_split_with(
     split: &SplitCurve,
     condition: Condition,
-    progress: &dyn Fn(usize, usize),
-) -> Result<(Measured, SplitSampling), SamplingError> {
+    options: &SampleOptions<'_>,
+) -> Result<Sampling, SamplingError> {
     check_corners(split)?;
-    let (measured, pieces) = as_finely_as_needed(
-        condition,
-        |gap_to_lfs| measure_pieces(split, gap_to_lfs, progress),
-        |measured| sample_pieces(split, measured, condition),
-    )?;
-    let samples = joined(split, &measured, &pieces.samples);
-    Ok((measured, SplitSampling { pieces, samples }))
+    let measured = |gap_to_lfs| {
+        let progress = options.progress;
+        let options = MeasurePiecesOptions {
+            gap_to_lfs,
+            progress,
+        };
+        measure_pieces_with(split, &options)
+    };
+    let of_pieces = as_finely_as_needed(condition, measured, |measured| {
+        sample_pieces(split, measured, condition)
+    })?;
+    Ok(joined(split, of_pieces))
 }
 
 fn check_corners(split: &SplitCurve) -> Result<(), SamplingError> {
@@ -88,9 +96,9 @@ fn check_corners(split: &SplitCurve) -> Result<(), SamplingError> {
 /// The samples of all pieces.
 fn sample_pieces(
     split: &SplitCurve,
-    measured: &Measured,
+    measured: &MeasuredCurve,
     condition: Condition,
-) -> Result<CertifiedSampling, SamplingError> {
+) -> Result<Sampling, SamplingError> {
     let all = Gaps::of(measured);
     let mut piece = 0..;
     // What cannot be sampled is told by this.
@@ -199,18 +207,40 @@ fn insert(
 }
 
 /// Samples of the pieces put together.
-fn joined(split: &SplitCurve, measured: &Measured, of_pieces: &SampledCurve) -> SampledCurve {
+fn joined(split: &SplitCurve, of_pieces: Sampling) -> Sampling {
+    let pieces = &of_pieces.samples;
     let mut samples = SampledCurve::default();
+    let mut attained = of_pieces.attained;
     for (component, whole) in split.components().iter().enumerate() {
+        let start = samples.len();
         let mut indices = Vec::new();
+        // Where the worst interval begins: its component, and its first sample.
+        let mut worst_from = None;
         for piece in whole.pieces.clone() {
-            let range = of_pieces.components()[piece].range.clone();
-            let here = &of_pieces.dense_indices()[range];
+            let range = pieces.components()[piece].range.clone();
+            if let Some(worst) = of_pieces.attained
+                && worst.interval.component == piece
+            {
+                worst_from = Some((range.start, start + indices.len()));
+            }
+            let here = &pieces.dense_indices()[range];
             // The end is the start of the piece that follows.
             let again = usize::from(split.meetings(piece)[1].is_some());
             indices.extend_from_slice(&here[..here.len() - again]);
         }
-        samples.push_component(measured.dense(), indices.into_iter(), whole.closed);
+        let end = start + indices.len();
+        if let (Some(worst), Some((of_piece, of_whole))) = (&mut attained, worst_from) {
+            let index = |sample: usize| {
+                let index = sample - of_piece + of_whole;
+                if index < end { index } else { start }
+            };
+            worst.interval = Interval {
+                component,
+                samples: worst.interval.samples.map(|sample| sample.map(index)),
+            };
+        }
+        let dense = of_pieces.measured.dense();
+        samples.push_component(dense, indices.into_iter(), whole.closed);
         if whole.closed {
             samples.push_closing(ClosingInterval {
                 component,
@@ -218,5 +248,9 @@ fn joined(split: &SplitCurve, measured: &Measured, of_pieces: &SampledCurve) -> 
             });
         }
     }
-    samples
+    Sampling {
+        samples,
+        attained,
+        ..of_pieces
+    }
 }

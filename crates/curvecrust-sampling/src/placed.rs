@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use curvecrust_curve::{DenseComponent, DenseCurve};
 use curvecrust_geometry::{DVec2, Segment, SegmentTree};
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::error::SamplingError;
 use crate::sampled_curve::SampledCurve;
@@ -50,7 +50,10 @@ impl PlacedSamples {
     /// # Errors
     /// [`NoSuchPlace`](SamplingError::NoSuchPlace) and [`OutOfOrder`](SamplingError::OutOfOrder), for
     /// the first sample at fault.
-    pub fn new(measured: &Measured, placements: Vec<Placement>) -> Result<Self, SamplingError> {
+    pub fn new(
+        measured: &MeasuredCurve,
+        placements: Vec<Placement>,
+    ) -> Result<Self, SamplingError> {
         let dense = measured.dense();
         for (index, place) in placements.iter().enumerate() {
             let Placement { dense: at, t, .. } = *place;
@@ -106,16 +109,9 @@ impl PlacedSamples {
     /// # Errors
     /// [`NoSuchPlace`](SamplingError::NoSuchPlace) or [`OffCurve`](SamplingError::OffCurve) if they are
     /// of another dense curve.
-    pub fn of(measured: &Measured, sampled: &SampledCurve) -> Result<Self, SamplingError> {
+    pub fn of(measured: &MeasuredCurve, sampled: &SampledCurve) -> Result<Self, SamplingError> {
         let points = measured.dense().points();
-        let places = sampled.points().iter().zip(sampled.dense_indices());
-        let placements: Vec<_> = places
-            .map(|(&point, &dense)| Placement {
-                point,
-                dense,
-                t: 0.0,
-            })
-            .collect();
+        let placements = Self::at_dense_points(sampled).placements;
         let elsewhere = |p: &Placement| points.get(p.dense).is_some_and(|&q| q != p.point);
         if let Some(index) = placements.iter().position(elsewhere) {
             let Placement { point, dense, .. } = placements[index];
@@ -129,6 +125,21 @@ impl PlacedSamples {
         Self::new(measured, placements)
     }
 
+    /// Samples that are dense points, as samplers return them.
+    pub(crate) fn at_dense_points(sampled: &SampledCurve) -> Self {
+        let places = sampled.points().iter().zip(sampled.dense_indices());
+        let place = |(&point, &dense): (&DVec2, &usize)| Placement {
+            point,
+            dense,
+            t: 0.0,
+        };
+        let components = sampled.components().iter();
+        Self {
+            placements: places.map(place).collect(),
+            components: components.map(|c| c.range.clone()).collect(),
+        }
+    }
+
     /// Projects bare points, in any order, to the nearest places of the dense polygon.
     ///
     /// # Errors
@@ -136,7 +147,7 @@ impl PlacedSamples {
     /// [`OffCurve`](SamplingError::OffCurve) for the first point that is farther than the tolerance, and
     /// [`SamePlace`](SamplingError::SamePlace) for points that have the same projection.
     pub fn project(
-        measured: &Measured,
+        measured: &MeasuredCurve,
         points: &[DVec2],
         tolerance: f64,
     ) -> Result<Projected, SamplingError> {

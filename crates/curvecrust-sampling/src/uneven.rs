@@ -1,23 +1,25 @@
 //! Samplings to compare with: at equal lengths of arc, and unevenly thinned.
 
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
-use crate::certified::{CertifiedSampling, certified};
+use crate::certified::certified;
 use crate::condition::Condition;
 use crate::error::{SAMPLE_LIMIT, SamplingError, whole};
+use crate::gaps::Gaps;
 use crate::random::Random;
 use crate::sampled_curve::SampledCurve;
+use crate::sampling::Sampling;
 
 /// Samples every component at equal lengths of arc, as near to `step` as goes, whatever its lfs.
 ///
 /// Each sample is the dense point nearest to its place along the dense polygon. Closed components begin
 /// at their first dense point and have three samples at least, open ones have both ends; none has more than
-/// dense points. Nothing is claimed about epsilon or rho: see [`check`](crate::check()).
+/// dense points. There is no condition that the samples are to hold; what rho they attain is in the result.
 ///
 /// # Errors
 /// [`Parameter`](SamplingError::Parameter) if the step is no length above 0,
 /// [`TooMany`](SamplingError::TooMany) if it asks for more than [`SAMPLE_LIMIT`] samples.
-pub fn sample_uniformly(measured: &Measured, step: f64) -> Result<SampledCurve, SamplingError> {
+pub fn sample_uniformly(measured: &MeasuredCurve, step: f64) -> Result<Sampling, SamplingError> {
     if !(step > 0.0 && step.is_finite()) {
         return Err(SamplingError::Parameter {
             name: "step",
@@ -64,7 +66,7 @@ pub fn sample_uniformly(measured: &Measured, step: f64) -> Result<SampledCurve, 
         let indices = places.iter().map(|at| component.range.start + at);
         sampled.push_component(measured.dense(), indices, component.closed);
     }
-    Ok(sampled)
+    Ok(Sampling::new(measured, &Gaps::of(measured), sampled, None))
 }
 
 /// The position of the value nearest to one, in ascending values.
@@ -79,19 +81,47 @@ fn nearest(ascending: &[f64], value: f64) -> usize {
     }
 }
 
-/// Samples that satisfy a condition, unevenly: each next one is anywhere between a `fraction` of the
-/// greedy step, in (0, 1], and all of it. The same seed gives the same samples.
+/// How [`sample_unevenly_with`] goes about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnevenOptions {
+    /// The shortest step as a fraction of the greedy one, above 0 and at most 1; a half by default. With 1 all
+    /// steps are greedy, as in [`sample`](crate::sample).
+    pub fraction: f64,
+    /// Where the random numbers begin: the same seed gives the same samples. 0 by default.
+    pub seed: u64,
+}
+
+impl Default for UnevenOptions {
+    fn default() -> Self {
+        Self {
+            fraction: 0.5,
+            seed: 0,
+        }
+    }
+}
+
+/// Samples that satisfy a condition, unevenly: each next one is anywhere between half of the greedy step and
+/// all of it, at random but always the same.
 ///
-/// With a fraction of 1 it is [`sample`](crate::sample).
+/// # Errors
+/// Those of [`sample`](crate::sample).
+pub fn sample_unevenly(
+    measured: &MeasuredCurve,
+    condition: Condition,
+) -> Result<Sampling, SamplingError> {
+    sample_unevenly_with(measured, condition, &UnevenOptions::default())
+}
+
+/// [`sample_unevenly`] by the given [options](UnevenOptions).
 ///
 /// # Errors
 /// [`Parameter`](SamplingError::Parameter) for a fraction out of range, and those of [`sample`](crate::sample).
-pub fn sample_unevenly(
-    measured: &Measured,
+pub fn sample_unevenly_with(
+    measured: &MeasuredCurve,
     condition: Condition,
-    fraction: f64,
-    seed: u64,
-) -> Result<CertifiedSampling, SamplingError> {
+    options: &UnevenOptions,
+) -> Result<Sampling, SamplingError> {
+    let UnevenOptions { fraction, seed } = *options;
     if !(fraction > 0.0 && fraction <= 1.0) {
         return Err(SamplingError::Parameter {
             name: "fraction",

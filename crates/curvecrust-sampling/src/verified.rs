@@ -14,61 +14,54 @@ mod chain;
 mod oracle;
 mod search;
 
-use curvecrust_medial_axis::Measured;
-use curvecrust_reconstruct::Reconstructor;
+use curvecrust_geometry::Progress;
+use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
+use crate::condition::DeviationLimit;
 use crate::error::SamplingError;
 use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
+use crate::sampling::Sampling;
 
 use chain::Chains;
 use oracle::Oracle;
 use search::Search;
 
-/// Samples from which an algorithm has been seen to return the manifold boundary.
-#[derive(Clone, Debug, PartialEq)]
-pub struct VerifiedSampling {
-    /// The samples: verified for this sample set, never guaranteed.
-    pub samples: SampledCurve,
-    /// The name of the algorithm.
-    pub algorithm: &'static str,
-    /// The limit that every interval keeps.
-    pub deviation: DeviationLimit,
-}
-
-/// How far the curve may be from the chord of its interval, at every point of it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DeviationLimit {
-    /// As far as it likes. Then the manifold boundary need not look like the curve at all: most curves
-    /// end up with four samples, of which HNN-Crust returns the quadrilateral.
-    None,
-    /// Nearer than this length: a Hausdorff limit.
-    Length(f64),
-    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial axis: the point
-    /// of the chord that is nearest to a curve point moves along all of it, and is within lfs every time. So the
-    /// polygon can be deformed into the curve without touching the axis.
-    OfLfs(f64),
-}
-
-/// What [`sample_verified`] is to hold, and how long it is to look.
+/// How [`sample_verified_with`] goes about it.
 #[derive(Clone, Copy, Debug)]
-pub struct Verification<'a> {
-    /// The algorithm that has to return the manifold boundary.
+pub struct VerifyOptions<'a> {
+    /// The algorithm that has to return the manifold boundary; HNN-Crust by default.
     pub algorithm: &'a dyn Reconstructor,
-    /// How far the curve may be from the chord of its interval, everywhere.
+    /// How far the curve may be from the chord between consecutive samples, everywhere; by default nearer than
+    /// lfs, so that no chord gets across the medial axis.
     pub deviation: DeviationLimit,
-    /// How often samples are shaken to find more that can go. Some 100 find most, a few 1000 nearly all.
+    /// How often all samples are moved at random to find more that can go. Some 100 find most, a few 1000
+    /// nearly all; 300 by default.
     pub rounds: usize,
-    /// Where the random steps begin. The same seed gives the same samples.
+    /// Where the random numbers begin: the same seed gives the same samples. 1 by default.
     pub seed: u64,
+    /// Hears how many rounds are done, of how many.
+    pub progress: Progress<'a>,
 }
 
-/// Takes samples away from `start`, and moves others along the curve, as long as the algorithm returns
-/// exactly the [manifold boundary](SampledCurve::manifold_boundary).
+impl Default for VerifyOptions<'_> {
+    fn default() -> Self {
+        Self {
+            algorithm: &HnnCrust::MUTUAL,
+            deviation: DeviationLimit::OfLfs(1.0),
+            rounds: 300,
+            seed: 1,
+            progress: Progress::default(),
+        }
+    }
+}
+
+/// Takes samples away from `start`, and moves others along the curve, as long as HNN-Crust returns exactly the
+/// [manifold boundary](SampledCurve::manifold_boundary), and the curve is nearer to it than lfs.
 ///
-/// A closed component keeps three samples, an open one both ends. `progress` is told how many rounds are
-/// done, of how many.
+/// A closed component keeps three samples, an open one both ends. The condition of `start` need not hold for
+/// what is left, which may attain more than its bound.
 ///
 /// # Errors
 /// [`NotReconstructed`](SamplingError::NotReconstructed) if the algorithm does not return the manifold
@@ -77,40 +70,41 @@ pub struct Verification<'a> {
 ///
 /// ```
 /// use curvecrust_curve::Curve;
-/// use curvecrust_medial_axis::{Discretisation, Estimator, measure};
-/// use curvecrust_reconstruct::{HnnCrust, hnn_crust};
-/// use curvecrust_sampling::{Condition, DeviationLimit, Verification, sample, sample_verified};
+/// use curvecrust_reconstruct::hnn_crust;
+/// use curvecrust_sampling::{Condition, VerifyOptions, sample_curve, sample_verified_with};
 ///
 /// let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 /// let curve = Curve::from_path_data(d)?;
-/// let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
-/// let start = sample(&measured, Condition::rho(0.9)?)?.samples;
-/// let verification = Verification {
-///     algorithm: &HnnCrust::MUTUAL,
-///     deviation: DeviationLimit::OfLfs(0.9),
-///     rounds: 20,
-///     seed: 1,
-/// };
-/// let fewer = sample_verified(&measured, &start, verification, &|_done, _of| {})?.samples;
-/// assert!(fewer.len() < start.len());
+/// let start = sample_curve(&curve, Condition::rho(0.9)?)?;
+/// let options = VerifyOptions { rounds: 20, ..VerifyOptions::default() };
+/// let fewer = sample_verified_with(&start, &options)?.samples;
+/// assert!(fewer.len() < start.samples.len());
 /// assert_eq!(hnn_crust(&fewer.point_set()?), fewer.manifold_boundary());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn sample_verified(
-    measured: &Measured,
-    start: &SampledCurve,
-    verification: Verification<'_>,
-    progress: &dyn Fn(usize, usize),
-) -> Result<VerifiedSampling, SamplingError> {
-    let Verification {
+pub fn sample_verified(start: &Sampling) -> Result<Sampling, SamplingError> {
+    sample_verified_with(start, &VerifyOptions::default())
+}
+
+/// [`sample_verified`] by the given [options](VerifyOptions).
+///
+/// # Errors
+/// Those of [`sample_verified`].
+pub fn sample_verified_with(
+    start: &Sampling,
+    options: &VerifyOptions<'_>,
+) -> Result<Sampling, SamplingError> {
+    let VerifyOptions {
         algorithm,
         deviation,
         rounds,
         seed,
-    } = verification;
-    let placed = PlacedSamples::of(measured, start)?;
+        progress,
+    } = *options;
+    let measured = &start.measured;
+    let placed = PlacedSamples::of(measured, &start.samples)?;
     let name = algorithm.info().name;
-    if !is_reconstructed(start, algorithm) {
+    if !is_reconstructed(&start.samples, algorithm) {
         return Err(SamplingError::NotReconstructed { algorithm: name });
     }
     let gaps = Gaps::of(measured);
@@ -123,23 +117,19 @@ pub fn sample_verified(
     search.shrink();
     let mut samples = search.chains().sampled(measured);
     for round in 0..rounds {
-        progress(round, rounds);
+        progress.report(round, rounds);
         search.shake();
         search.shrink();
         if search.chains().len() < samples.len() {
             samples = search.chains().sampled(measured);
         }
     }
-    progress(rounds, rounds);
+    progress.report(rounds, rounds);
     // Whatever the steps have looked at: this is what is promised.
     if !is_reconstructed(&samples, algorithm) {
-        samples = start.clone();
+        samples = start.samples.clone();
     }
-    Ok(VerifiedSampling {
-        samples,
-        algorithm: name,
-        deviation,
-    })
+    Ok(Sampling::new(measured, &gaps, samples, start.condition))
 }
 
 fn is_reconstructed(sampled: &SampledCurve, algorithm: &dyn Reconstructor) -> bool {

@@ -3,17 +3,19 @@
 
 mod common;
 
-use std::cell::RefCell;
 use std::f64::consts::TAU;
+use std::sync::Mutex;
 
 use common::{Random, fixtures, random_closed};
 use curvecrust_curve::{Curve, DenseCurve};
-use curvecrust_geometry::Segment;
+use curvecrust_geometry::{Progress, Segment};
 use curvecrust_medial_axis::{
-    Discretisation, Estimator, LocalFeatureSize, Measured, MedialAxis, measure,
+    Discretisation, Estimator, LocalFeatureSize, MeasureOptions, MeasuredCurve, MedialAxis,
+    MedialAxisError, measure_with,
 };
 use curvecrust_sampling::{
-    Bound, Condition, SampledCurve, SamplingError, sample, sample_curve, sample_greedy,
+    Bound, Condition, SampleOptions, SampledCurve, SamplingError, sample, sample_at_dense_points,
+    sample_curve, sample_curve_with,
 };
 use rayon::prelude::*;
 
@@ -28,7 +30,7 @@ struct Fine {
 
 impl Fine {
     /// lfs as the sampler had it: distances to the medial axis of the points that were sampled.
-    fn by_the_same_axis(curve: &Curve, measured: &Measured) -> Self {
+    fn by_the_same_axis(curve: &Curve, measured: &MeasuredCurve) -> Self {
         let axis = MedialAxis::new(measured.dense()).unwrap();
         let dense = finer(curve, measured);
         let lfs = LocalFeatureSize::new(&dense, &axis);
@@ -36,8 +38,8 @@ impl Fine {
     }
 
     /// lfs as it is, ten times as precisely: distances to the medial axis of the finer points.
-    fn by_its_own_axis(curve: &Curve, measured: &Measured) -> Self {
-        let anew = Measured::new(finer(curve, measured), Estimator::Voronoi).unwrap();
+    fn by_its_own_axis(curve: &Curve, measured: &MeasuredCurve) -> Self {
+        let anew = MeasuredCurve::new(finer(curve, measured), Estimator::Voronoi).unwrap();
         Self {
             dense: anew.dense().clone(),
             lfs: anew.lfs().clone(),
@@ -45,14 +47,21 @@ impl Fine {
     }
 }
 
-fn finer(curve: &Curve, measured: &Measured) -> DenseCurve {
+fn finer(curve: &Curve, measured: &MeasuredCurve) -> DenseCurve {
     let pieces = vec![FINER; measured.dense().len()];
     measured.dense().refined(curve, &pieces).unwrap()
 }
 
-fn measured(curve: &Curve, gap_to_lfs: f64) -> Measured {
-    let discretisation = Discretisation::Adaptive { gap_to_lfs };
-    measure(curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap()
+fn measured(curve: &Curve, gap_to_lfs: f64) -> MeasuredCurve {
+    by(curve, Discretisation::Adaptive { gap_to_lfs }).unwrap()
+}
+
+fn by(curve: &Curve, discretisation: Discretisation) -> Result<MeasuredCurve, MedialAxisError> {
+    let options = MeasureOptions {
+        discretisation,
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options)
 }
 
 /// The definitions, point by point. Returns the largest ratio of a length to what it has to be below:
@@ -120,8 +129,8 @@ fn conditions(extent: f64) -> [Condition; 5] {
     ]
 }
 
-/// Samples and re-checks; returns the largest ratio of brute force, and how many more samples than greedy.
-fn recheck(name: &str, curve: &Curve, measured: &Measured, fine: &Fine) -> [f64; 2] {
+/// Samples and re-checks; returns the largest ratio of brute force, and how many more samples than those tested at dense points.
+fn recheck(name: &str, curve: &Curve, measured: &MeasuredCurve, fine: &Fine) -> [f64; 2] {
     let mut worst = [0.0f64; 2];
     for condition in conditions(curve.extent()) {
         let certified = sample(measured, condition).unwrap();
@@ -135,8 +144,8 @@ fn recheck(name: &str, curve: &Curve, measured: &Measured, fine: &Fine) -> [f64;
             ratios[0].max(ratios[1]) < 1.0,
             "{name} {condition:?}: {ratios:?}"
         );
-        let greedy = sample_greedy(measured, condition).len();
-        let share = certified.samples.len() as f64 / greedy as f64;
+        let at_dense_points = sample_at_dense_points(measured, condition).samples.len();
+        let share = certified.samples.len() as f64 / at_dense_points as f64;
         worst = [worst[0].max(ratios[0]).max(ratios[1]), worst[1].max(share)];
     }
     worst
@@ -147,7 +156,7 @@ fn fixtures_hold_at_every_point() {
     fixtures().par_iter().for_each(|(name, curve)| {
         // The axis of the very points that are sampled.
         let measured = measured(curve, 0.02);
-        let measured = Measured::new(measured.dense().clone(), Estimator::Voronoi).unwrap();
+        let measured = MeasuredCurve::new(measured.dense().clone(), Estimator::Voronoi).unwrap();
         let fine = Fine::by_the_same_axis(curve, &measured);
         let [_, share] = recheck(name, curve, &measured, &fine);
         assert!(
@@ -175,7 +184,7 @@ fn random_curves_hold_at_every_point() {
     while curves.len() < 200 {
         let curve = random_closed(&mut random);
         let discretisation = Discretisation::Adaptive { gap_to_lfs: 0.1 };
-        match measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}) {
+        match by(&curve, discretisation) {
             Ok(_) => curves.push(curve),
             Err(_) => refused += 1,
         }
@@ -196,13 +205,7 @@ fn random_curves_hold_at_every_point() {
 #[test]
 fn what_cannot_be_certified_is_refused() {
     let curve = Curve::from_path_data("M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z").unwrap();
-    let coarse = measure(
-        &curve,
-        Discretisation::PerSegment(8),
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .unwrap();
+    let coarse = by(&curve, Discretisation::PerSegment(8)).unwrap();
     let rho = Condition::rho(0.9).unwrap();
     let Err(SamplingError::TooCoarse { gap, lfs, .. }) = sample(&coarse, rho) else {
         panic!("a gap of half the lfs");
@@ -210,7 +213,7 @@ fn what_cannot_be_certified_is_refused() {
     assert!((gap - 0.5).abs() < 1e-6 && lfs < 1.1);
 
     let limited = |limit| rho.with_hausdorff_limit(limit).unwrap();
-    let (_, certified) = sample_curve(&curve, limited(1e-6), &|_, _| {}).unwrap();
+    let certified = sample_curve(&curve, limited(1e-6)).unwrap();
     assert!(certified.samples.len() > 1000);
     // Without one dense point for each sample, and with one for many: whatever asks for too many is named.
     for (condition, name, least) in [
@@ -220,7 +223,7 @@ fn what_cannot_be_certified_is_refused() {
         (Condition::rho(2e-6).unwrap(), "rho", 1e6),
         (Condition::rho(f64::MIN_POSITIVE).unwrap(), "rho", 1e18),
     ] {
-        let refused = sample_curve(&curve, condition, &|_, _| {}).unwrap_err();
+        let refused = sample_curve(&curve, condition).unwrap_err();
         let SamplingError::TooMany { what, value, count } = refused else {
             panic!("{condition:?}: {refused}");
         };
@@ -243,15 +246,19 @@ fn what_cannot_be_certified_is_refused() {
 #[test]
 fn progress_ends_where_all_is_done() {
     let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
-    let told = RefCell::new(Vec::new());
-    let progress = |done, of| told.borrow_mut().push((done, of));
+    let heard = Mutex::new(Vec::new());
+    let listener = |done, of| heard.lock().unwrap().push((done, of));
+    let options = SampleOptions {
+        progress: Progress::new(&listener),
+    };
     let rho = Condition::rho(0.9).unwrap();
-    let (measured, _) = sample_curve(&curve, rho, &progress).unwrap();
-    let told = told.into_inner();
-    let points = measured.dense().len();
-    assert_eq!(told.last(), Some(&(points, points)));
-    assert!(told.len() > 2 && told.is_sorted());
-    assert!(told.iter().all(|(done, of)| done <= of));
+    let sampling = sample_curve_with(&curve, rho, &options).unwrap();
+    assert_eq!(sampling, sample_curve(&curve, rho).unwrap());
+    let heard = heard.into_inner().unwrap();
+    let points = sampling.measured.dense().len();
+    assert_eq!(heard.last(), Some(&(points, points)));
+    assert!(heard.len() > 2 && heard.is_sorted());
+    assert!(heard.iter().all(|(done, of)| done <= of));
 }
 
 /// Gaps are 0.02 of lfs at most, and 0.05 of the bound times lfs: where that is enough, no finer.
@@ -260,7 +267,7 @@ fn curves_are_as_fine_as_the_bound_asks_for() {
     let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
     for (bound, wanted) in [(0.9, 0.02), (0.1, 0.005)] {
         let condition = Condition::epsilon(bound).unwrap();
-        let (measured, _) = sample_curve(&curve, condition, &|_, _| {}).unwrap();
+        let measured = sample_curve(&curve, condition).unwrap().measured;
         let (points, lfs) = (measured.dense().points(), measured.lfs().values());
         let gaps = points.windows(2).map(|pair| pair[0].distance(pair[1]));
         let shares = gaps.zip(lfs).map(|(gap, lfs)| gap / lfs);

@@ -9,17 +9,27 @@ use common::{arch, fixtures};
 use curvecrust_curve::analytic::{Circle, Stadium};
 use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{
+    Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure_with,
+};
 use curvecrust_sampling::{
     Bound, ClosingInterval, Condition, PlacedSamples, Placement, SampledCurve, SamplingError,
-    check, effective_epsilon, effective_rho, sample, sample_greedy,
+    check, effective_epsilon, effective_rho, sample, sample_at_dense_points,
 };
 
-fn measured(dense: DenseCurve) -> Measured {
-    Measured::new(dense, Estimator::Voronoi).unwrap()
+fn measured(dense: DenseCurve) -> MeasuredCurve {
+    MeasuredCurve::new(dense, Estimator::Voronoi).unwrap()
 }
 
-fn effective(measured: &Measured, points: &[DVec2]) -> [f64; 2] {
+fn by(curve: &Curve, discretisation: Discretisation) -> MeasuredCurve {
+    let options = MeasureOptions {
+        discretisation,
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options).unwrap()
+}
+
+fn effective(measured: &MeasuredCurve, points: &[DVec2]) -> [f64; 2] {
     let placed = PlacedSamples::project(measured, points, 1e-5)
         .unwrap()
         .samples;
@@ -78,7 +88,7 @@ fn stadiums_have_closed_forms() {
 
 /// The largest epsilon or rho of the intervals between samples, by definition, at dense points and of those that are
 /// to hold: all but closing intervals that are reported not to.
-fn at_dense_points(measured: &Measured, sampled: &SampledCurve, bound: Bound) -> f64 {
+fn at_dense_points(measured: &MeasuredCurve, sampled: &SampledCurve, bound: Bound) -> f64 {
     let (points, lfs) = (measured.dense().points(), measured.lfs());
     let mut worst = 0.0f64;
     for (index, component) in sampled.components().iter().enumerate() {
@@ -115,8 +125,7 @@ fn at_dense_points(measured: &Measured, sampled: &SampledCurve, bound: Bound) ->
 fn samplers_attain_their_bounds() {
     const GAP: f64 = 0.02;
     for (name, curve) in fixtures() {
-        let discretisation = Discretisation::Adaptive { gap_to_lfs: GAP };
-        let measured = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
+        let measured = by(&curve, Discretisation::Adaptive { gap_to_lfs: GAP });
         for b in [0.9, 0.47] {
             for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
                 let certified = sample(&measured, condition).unwrap();
@@ -128,8 +137,8 @@ fn samplers_attain_their_bounds() {
                 );
 
                 // The other one is certain at dense points.
-                let greedy = sample_greedy(&measured, condition);
-                let attained = at_dense_points(&measured, &greedy, condition.bound());
+                let sampled = sample_at_dense_points(&measured, condition).samples;
+                let attained = at_dense_points(&measured, &sampled, condition.bound());
                 assert!(
                     0.9 * b < attained && attained < b,
                     "{name} {condition:?} {attained}"
@@ -139,9 +148,9 @@ fn samplers_attain_their_bounds() {
                     Bound::Epsilon(_) => b + (1.0 + b) * GAP / (2.0 - GAP),
                     Bound::Rho(_) => b,
                 };
-                let placed = PlacedSamples::of(&measured, &greedy).unwrap();
+                let placed = PlacedSamples::of(&measured, &sampled).unwrap();
                 let verdict = check(&measured, &placed, condition);
-                let closing = greedy.closing_intervals();
+                let closing = sampled.closing_intervals();
                 for found in &verdict.violations {
                     let [before, after] = found.interval.samples;
                     let fails = |c: &ClosingInterval| {
@@ -226,13 +235,7 @@ fn a_closed_curve_may_begin_anywhere_but_once() {
 #[test]
 fn a_straight_line_needs_no_samples_between_its_ends() {
     let line = Curve::from_path_data("M 0 0 H 3").unwrap();
-    let measured = measure(
-        &line,
-        Discretisation::PerSegment(3),
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .unwrap();
+    let measured = by(&line, Discretisation::PerSegment(3));
     let ends = [DVec2::ZERO, DVec2::new(3.0, 0.0)];
     let inner = [DVec2::new(0.4, 0.0), DVec2::new(1.7, 0.0)];
     for samples in [ends, inner] {
@@ -285,13 +288,7 @@ fn samples_of_another_curve_do_no_harm() {
     let circle = |points| measured(Circle::new(1.0).unwrap().dense(points).unwrap());
     let from_path = |d: &str| {
         let curve = Curve::from_path_data(d).unwrap();
-        measure(
-            &curve,
-            Discretisation::PerSegment(40),
-            Estimator::Voronoi,
-            &|_, _| (),
-        )
-        .unwrap()
+        by(&curve, Discretisation::PerSegment(40))
     };
     let two = "M 0 0 C 0 4 4 4 4 0 S 0 -4 0 0 Z M 9 0 C 9 4 13 4 13 0 S 9 -4 9 0 Z";
     let curves = [

@@ -7,23 +7,23 @@ use std::sync::Mutex;
 
 use common::{Random, fixtures, random_closed};
 use curvecrust_curve::Curve;
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
-use curvecrust_sampling::{Condition, PlacedSamples, Placement, check, sample, sample_fewest};
+use curvecrust_geometry::Progress;
+use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
+use curvecrust_sampling::{
+    Condition, PlacedSamples, Placement, SampleOptions, check, sample, sample_fewest,
+    sample_fewest_with,
+};
 
-fn measured(curve: &Curve, gap_to_lfs: f64) -> Option<Measured> {
-    measure(
-        curve,
-        Discretisation::Adaptive { gap_to_lfs },
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .ok()
+fn measured(curve: &Curve, gap_to_lfs: f64) -> Option<MeasuredCurve> {
+    let options = MeasureOptions {
+        discretisation: Discretisation::Adaptive { gap_to_lfs },
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options).ok()
 }
 
-fn silent(_: usize, _: usize) {}
-
 /// Whether the interval between two dense points of the first component is certain to hold.
-fn holds(measured: &Measured, from: usize, to: usize, condition: Condition) -> bool {
+fn holds(measured: &MeasuredCurve, from: usize, to: usize, condition: Condition) -> bool {
     let n = measured.dense().components()[0].range.len();
     let place = |i: usize| Placement {
         point: measured.dense().points()[i % n],
@@ -50,7 +50,7 @@ fn holds(measured: &Measured, from: usize, to: usize, condition: Condition) -> b
 }
 
 /// The fewest samples of all samplings of a closed component, by definition: shortest round trips.
-fn fewest_of_all(measured: &Measured, condition: Condition) -> usize {
+fn fewest_of_all(measured: &MeasuredCurve, condition: Condition) -> usize {
     let n = measured.dense().components()[0].range.len();
     let ok: Vec<Vec<bool>> = (0..n)
         .map(|from| {
@@ -94,7 +94,7 @@ fn no_sampling_at_the_same_points_has_fewer() {
             Condition::rho(0.9).unwrap(),
             Condition::epsilon(0.6).unwrap(),
         ] {
-            let Ok(fewest) = sample_fewest(&measured, condition, &silent) else {
+            let Ok(fewest) = sample_fewest(&measured, condition) else {
                 continue;
             };
             assert_eq!(fewest.samples.len(), fewest_of_all(&measured, condition));
@@ -112,7 +112,7 @@ fn never_more_than_from_the_first_point() {
         let limited = rho.with_hausdorff_limit(0.004 * curve.extent()).unwrap();
         for condition in [rho, Condition::epsilon(0.47).unwrap(), limited] {
             let first = sample(&measured, condition).unwrap().samples.len();
-            let fewest = sample_fewest(&measured, condition, &silent).unwrap();
+            let fewest = sample_fewest(&measured, condition).unwrap();
             let attained = fewest.attained.unwrap();
             assert!(attained.at_most < condition.bound().value(), "{name}");
             assert!(fewest.samples.len() <= first, "{name} {condition:?}");
@@ -123,7 +123,7 @@ fn never_more_than_from_the_first_point() {
 }
 
 /// The fewest samples of all samplings of an open curve that has both ends as samples.
-fn fewest_of_open(measured: &Measured, condition: Condition) -> usize {
+fn fewest_of_open(measured: &MeasuredCurve, condition: Condition) -> usize {
     let n = measured.dense().len();
     let mut count = vec![usize::MAX; n];
     count[0] = 1;
@@ -167,7 +167,7 @@ fn greedy_is_not_optimal_with_a_limit() {
 }
 
 #[test]
-fn progress_is_told_in_small_steps() {
+fn progress_is_reported_in_small_steps() {
     let (_, curve) = fixtures()
         .into_iter()
         .find(|(name, _)| name == "teaser")
@@ -175,13 +175,16 @@ fn progress_is_told_in_small_steps() {
     let measured = measured(&curve, 0.02).unwrap();
     let rho = Condition::rho(0.9).unwrap();
     for condition in [rho, rho.with_hausdorff_limit(0.1 * curve.extent()).unwrap()] {
-        let told = Mutex::new(Vec::new());
-        let tell = |done, of| told.lock().unwrap().push((done, of));
-        let fewest = sample_fewest(&measured, condition, &tell).unwrap();
+        let heard = Mutex::new(Vec::new());
+        let listener = |done, of| heard.lock().unwrap().push((done, of));
+        let options = SampleOptions {
+            progress: Progress::new(&listener),
+        };
+        let fewest = sample_fewest_with(&measured, condition, &options).unwrap();
         let total = measured.dense().len();
-        let told = told.into_inner().unwrap();
-        assert!(told.iter().all(|&(_, of)| of == total));
-        let done: Vec<usize> = told.into_iter().map(|(done, _)| done).collect();
+        let heard = heard.into_inner().unwrap();
+        assert!(heard.iter().all(|&(_, of)| of == total));
+        let done: Vec<usize> = heard.into_iter().map(|(done, _)| done).collect();
         assert!(done.is_sorted() && done[0] == 0 && done.last() == Some(&total));
         if condition == rho {
             // One step for each sample.

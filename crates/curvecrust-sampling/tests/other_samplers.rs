@@ -3,29 +3,31 @@
 
 use curvecrust_curve::Curve;
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust_sampling::{
-    Condition, Noise, NoiseShape, NoiseSize, SAMPLE_LIMIT, SamplingError, sample, sample_unevenly,
-    sample_uniformly, with_noise, with_outliers,
+    Condition, Noise, NoiseShape, NoiseSize, Outliers, SAMPLE_LIMIT, SamplingError, UnevenOptions,
+    sample, sample_unevenly, sample_unevenly_with, sample_uniformly, with_noise, with_outliers,
 };
 
+fn by(curve: &Curve, discretisation: Discretisation) -> MeasuredCurve {
+    let options = MeasureOptions {
+        discretisation,
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options).unwrap()
+}
+
 /// A stadium and an arch beside it.
-fn curves() -> Measured {
+fn curves() -> MeasuredCurve {
     let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z M 10 0 C 10 4 16 4 16 0";
     let curve = Curve::from_path_data(d).unwrap();
-    measure(
-        &curve,
-        Discretisation::Adaptive { gap_to_lfs: 0.01 },
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .unwrap()
+    by(&curve, Discretisation::Adaptive { gap_to_lfs: 0.01 })
 }
 
 #[test]
 fn uniform_samples_are_as_far_apart_as_asked_for() {
     let measured = curves();
-    let sampled = sample_uniformly(&measured, 0.25).unwrap();
+    let sampled = sample_uniformly(&measured, 0.25).unwrap().samples;
     for component in sampled.components() {
         let points = &sampled.points()[component.range.clone()];
         for pair in points.windows(2) {
@@ -41,6 +43,7 @@ fn uniform_samples_are_as_far_apart_as_asked_for() {
     let coarse = sample_uniformly(&measured, 1e9).unwrap();
     assert_eq!(
         coarse
+            .samples
             .components()
             .iter()
             .map(|c| c.range.len())
@@ -50,7 +53,7 @@ fn uniform_samples_are_as_far_apart_as_asked_for() {
     // No more than dense points, each once.
     let fine = sample_uniformly(&measured, 1e-4).unwrap();
     assert_eq!(
-        fine.dense_indices(),
+        fine.samples.dense_indices(),
         (0..measured.dense().len()).collect::<Vec<_>>()
     );
     assert!(matches!(
@@ -66,12 +69,11 @@ fn uniform_samples_are_as_far_apart_as_asked_for() {
 #[test]
 fn as_many_uniform_samples_as_allowed_are_taken() {
     let curve = Curve::from_path_data("M 0 0 H 10000000").unwrap();
-    let discretisation = Discretisation::PerSegment(2);
-    let line = measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap();
+    let line = by(&curve, Discretisation::PerSegment(2));
     let sampled = sample_uniformly(&line, 1e7 / SAMPLE_LIMIT as f64).unwrap();
     // Each dense point once.
     assert_eq!(
-        sampled.dense_indices(),
+        sampled.samples.dense_indices(),
         (0..line.dense().len()).collect::<Vec<_>>()
     );
     assert_eq!(
@@ -120,7 +122,10 @@ fn uniform_samples_are_the_points_nearest_to_their_places() {
         }
         expected.dedup();
         assert_eq!(
-            sample_uniformly(&measured, step).unwrap().dense_indices(),
+            sample_uniformly(&measured, step)
+                .unwrap()
+                .samples
+                .dense_indices(),
             expected,
             "{step}"
         );
@@ -138,21 +143,19 @@ fn uneven_samples_satisfy_the_condition() {
             .unwrap(),
     ] {
         let greedy = sample(&measured, condition).unwrap();
-        let whole = sample_unevenly(&measured, condition, 1.0, 3).unwrap();
-        assert_eq!(whole, greedy);
-        let uneven = sample_unevenly(&measured, condition, 0.3, 3).unwrap();
+        let by = |fraction, seed| {
+            sample_unevenly_with(&measured, condition, &UnevenOptions { fraction, seed })
+        };
+        assert_eq!(by(1.0, 3).unwrap(), greedy);
+        let halves = sample_unevenly(&measured, condition).unwrap();
+        assert_eq!(halves, by(0.5, 0).unwrap());
+        let uneven = by(0.3, 3).unwrap();
         assert!(uneven.attained.unwrap().at_most < condition.bound().value());
         assert!(uneven.samples.len() > greedy.samples.len());
-        assert_eq!(
-            uneven,
-            sample_unevenly(&measured, condition, 0.3, 3).unwrap()
-        );
-        assert_ne!(
-            uneven,
-            sample_unevenly(&measured, condition, 0.3, 4).unwrap()
-        );
+        assert_eq!(uneven, by(0.3, 3).unwrap());
+        assert_ne!(uneven, by(0.3, 4).unwrap());
         for bad in [0.0, 1.1, f64::NAN] {
-            assert!(sample_unevenly(&measured, condition, bad, 0).is_err());
+            assert!(by(bad, 0).is_err());
         }
     }
 }
@@ -162,10 +165,11 @@ fn noise_has_its_size() {
     let measured = curves();
     let sampled = sample_uniformly(&measured, 1e-4).unwrap();
     let moved = |shape, size| {
-        let noisy = with_noise(&measured, &sampled, Noise { shape, size }, 5).unwrap();
+        let seed = 5;
+        let noisy = with_noise(&sampled, Noise { shape, size, seed }).unwrap();
         let by: Vec<f64> = noisy
             .iter()
-            .zip(sampled.points())
+            .zip(sampled.samples.points())
             .map(|(p, q)| p.distance(*q))
             .collect();
         let mean_square = by.iter().map(|d| d * d).sum::<f64>() / by.len() as f64;
@@ -182,18 +186,24 @@ fn noise_has_its_size() {
     let noise = Noise {
         shape: NoiseShape::Disc,
         size: NoiseSize::OfLfs(-1.0),
+        ..Noise::default()
     };
-    assert!(with_noise(&measured, &sampled, noise, 0).is_err());
+    assert!(with_noise(&sampled, noise).is_err());
 }
 
 #[test]
 fn outliers_come_after_the_points() {
     let points = [DVec2::ZERO, DVec2::new(2.0, 1.0)];
-    let all = with_outliers(&points, 1000, 0.5, 9).unwrap();
+    let outliers = |count, margin| Outliers {
+        count,
+        margin,
+        seed: 9,
+    };
+    let all = with_outliers(&points, outliers(1000, 0.5)).unwrap();
     assert_eq!((all.len(), &all[..2]), (1002, &points[..]));
     let (low, high) = (DVec2::splat(-1.0), DVec2::new(3.0, 2.0));
     assert!(all.iter().all(|&p| p.clamp(low, high) == p));
     assert!(all.iter().any(|p| p.x < -0.9) && all.iter().any(|p| p.y > 1.9));
-    assert!(with_outliers(&[], 5, 0.5, 9).unwrap().is_empty());
-    assert!(with_outliers(&points, 5, f64::NAN, 9).is_err());
+    assert!(with_outliers(&[], outliers(5, 0.5)).unwrap().is_empty());
+    assert!(with_outliers(&points, outliers(5, f64::NAN)).is_err());
 }

@@ -11,8 +11,8 @@ use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::MedialAxisError;
 use curvecrust_reconstruct::hnn_crust;
 use curvecrust_sampling::{
-    Condition, PlacedSamples, SamplingError, SplitSampling, check, sample_curve, sample_fewest,
-    sample_split,
+    Condition, PlacedSamples, Placement, Sampling, SamplingError, check, sample_curve,
+    sample_fewest, sample_split,
 };
 
 fn split(d: &str) -> SplitCurve {
@@ -20,11 +20,25 @@ fn split(d: &str) -> SplitCurve {
 }
 
 /// Samples of a curve, which are what they promise to be.
-fn sampled(split: &SplitCurve, condition: Condition) -> SplitSampling {
-    let (measured, sampling) = sample_split(split, condition, &|_, _| {}).unwrap();
-    let placed = PlacedSamples::of(&measured, &sampling.pieces.samples).unwrap();
-    assert!(check(&measured, &placed, condition).certain);
+fn sampled(split: &SplitCurve, condition: Condition) -> Sampling {
+    let sampling = sample_split(split, condition).unwrap();
+    let placed = piece_by_piece(split, &sampling);
+    let verdict = check(&sampling.measured, &placed, condition);
+    assert!(verdict.certain);
     let samples = &sampling.samples;
+    // What is attained is that of the worst piece, between samples of the whole.
+    let (attained, worst) = (sampling.attained.unwrap(), verdict.worst.unwrap());
+    assert_eq!((attained.at, attained.dense), (worst.at, worst.dense));
+    let points = |points: &[DVec2], ends: [Option<usize>; 2]| ends.map(|end| points[end.unwrap()]);
+    let of_pieces: Vec<DVec2> = placed.placements().iter().map(|p| p.point).collect();
+    assert_eq!(
+        points(samples.points(), attained.interval.samples),
+        points(&of_pieces, worst.interval.samples)
+    );
+    let component = &samples.components()[attained.interval.component];
+    for end in attained.interval.samples {
+        assert!(component.range.contains(&end.unwrap()));
+    }
     assert_eq!(samples.components().len(), split.components().len());
     for (sampled, whole) in samples.components().iter().zip(split.components()) {
         assert_eq!(sampled.closed, whole.closed);
@@ -37,7 +51,26 @@ fn sampled(split: &SplitCurve, condition: Condition) -> SplitSampling {
     sampling
 }
 
-fn is_reconstructed(sampling: &SplitSampling) -> bool {
+/// The samples of every piece by itself: a corner is a sample of both pieces that meet there.
+fn piece_by_piece(split: &SplitCurve, sampling: &Sampling) -> PlacedSamples {
+    let dense = sampling.measured.dense();
+    let place = |at: usize| Placement {
+        point: dense.points()[at],
+        dense: at,
+        t: 0.0,
+    };
+    let mut places = Vec::new();
+    for (piece, component) in dense.components().iter().enumerate() {
+        let samples = sampling.samples.dense_indices().iter().copied();
+        places.extend(samples.filter(|at| component.range.contains(at)).map(place));
+        if split.meetings(piece)[1].is_some() {
+            places.push(place(component.range.end - 1));
+        }
+    }
+    PlacedSamples::new(&sampling.measured, places).unwrap()
+}
+
+fn is_reconstructed(sampling: &Sampling) -> bool {
     let samples = &sampling.samples;
     hnn_crust(&samples.point_set().unwrap()) == samples.manifold_boundary()
 }
@@ -82,21 +115,15 @@ fn corners_are_samples_and_hnn_crust_gets_round_them() {
 fn without_corners_nothing_changes() {
     let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z M 30 100 C 30 140 90 140 90 100";
     let rho = Condition::rho(0.9).unwrap();
-    let (measured, sampling) = sample_split(&split(d), rho, &|_, _| {}).unwrap();
-    let (other, _) = sample_curve(&Curve::from_path_data(d).unwrap(), rho, &|_, _| {}).unwrap();
-    assert_eq!(measured.dense(), other.dense());
-    assert_eq!(measured.lfs(), other.lfs());
-    assert_eq!(
-        sampling.pieces,
-        sample_fewest(&other, rho, &|_, _| {}).unwrap()
-    );
-    assert_eq!(sampling.samples, sampling.pieces.samples);
+    let sampling = sample_split(&split(d), rho).unwrap();
+    let other = sample_curve(&Curve::from_path_data(d).unwrap(), rho).unwrap();
+    assert_eq!(sampling, sample_fewest(&other.measured, rho).unwrap());
 }
 
 #[test]
 fn what_no_samples_help_is_refused() {
     let rho = Condition::rho(0.9).unwrap();
-    let refused = |d| sample_split(&split(d), rho, &|_, _| {}).unwrap_err();
+    let refused = |d| sample_split(&split(d), rho).unwrap_err();
     // Angles of 45, 90 and 45 degrees.
     let error = refused("M 0 0 H 4 V 4 Z");
     let SamplingError::SharpCorners(corners) = &error else {
@@ -145,7 +172,7 @@ fn random_corners(random: &mut Random) -> SplitCurve {
 
 /// How many corners are farther from one of their neighbours than those are from each other, and clearly farther than
 /// from the other one: HNN-Crust would join the neighbours.
-fn uneven_corners(split: &SplitCurve, sampling: &SplitSampling) -> usize {
+fn uneven_corners(split: &SplitCurve, sampling: &Sampling) -> usize {
     let points = sampling.samples.points();
     let at = |corner: DVec2| points.iter().position(|&p| p == corner).unwrap();
     let n = points.len();

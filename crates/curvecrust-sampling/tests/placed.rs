@@ -6,17 +6,20 @@ mod common;
 use common::{Random, arch};
 use curvecrust_curve::Curve;
 use curvecrust_geometry::{DVec2, Segment};
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust_sampling::{PlacedSamples, Placement, SamplingError};
 
-fn measured(d: &str, per_segment: u32) -> Measured {
+fn measured(d: &str, per_segment: u32) -> MeasuredCurve {
     let curve = Curve::from_path_data(d).unwrap();
-    let discretisation = Discretisation::PerSegment(per_segment);
-    measure(&curve, discretisation, Estimator::Voronoi, &|_, _| {}).unwrap()
+    let options = MeasureOptions {
+        discretisation: Discretisation::PerSegment(per_segment),
+        ..MeasureOptions::default()
+    };
+    measure_with(&curve, &options).unwrap()
 }
 
 /// A stadium and an arch beside it.
-fn curves() -> Measured {
+fn curves() -> MeasuredCurve {
     measured(
         "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z M 10 0 C 10 4 16 4 16 0",
         12,

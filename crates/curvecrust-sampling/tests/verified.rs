@@ -6,45 +6,42 @@ mod common;
 use common::fixtures;
 use curvecrust_curve::Curve;
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Segment};
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust_reconstruct::{AlgorithmInfo, Crust, HnnCrust, Reconstructor, hnn_crust};
 use curvecrust_sampling::{
-    Condition, DeviationLimit, SampledCurve, SamplingError, Verification, sample, sample_uniformly,
-    sample_verified,
+    Condition, DeviationLimit, SampledCurve, Sampling, SamplingError, VerifyOptions, sample,
+    sample_uniformly, sample_verified_with,
 };
 
-fn measured(curve: &Curve) -> Measured {
-    measure(
-        curve,
-        Discretisation::Adaptive { gap_to_lfs: 0.03 },
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .unwrap()
+fn measured(curve: &Curve) -> MeasuredCurve {
+    let options = MeasureOptions {
+        discretisation: Discretisation::Adaptive { gap_to_lfs: 0.03 },
+        ..MeasureOptions::default()
+    };
+    measure_with(curve, &options).unwrap()
 }
 
-fn fixture(wanted: &str) -> Measured {
+fn fixture(wanted: &str) -> MeasuredCurve {
     let all = fixtures();
     measured(&all.iter().find(|(name, _)| name == wanted).unwrap().1)
 }
 
-fn start(measured: &Measured) -> SampledCurve {
-    sample(measured, Condition::rho(0.9).unwrap())
-        .unwrap()
-        .samples
+fn start(measured: &MeasuredCurve) -> Sampling {
+    sample(measured, Condition::rho(0.9).unwrap()).unwrap()
 }
 
-fn verification(algorithm: &dyn Reconstructor, deviation: DeviationLimit) -> Verification<'_> {
-    Verification {
+fn options(algorithm: &dyn Reconstructor, deviation: DeviationLimit) -> VerifyOptions<'_> {
+    VerifyOptions {
         algorithm,
         deviation,
         rounds: 10,
         seed: 2,
+        ..VerifyOptions::default()
     }
 }
 
 /// The largest distance of a dense point to the chord of its interval, as a fraction of its lfs.
-fn deviation(measured: &Measured, sampled: &SampledCurve) -> f64 {
+fn deviation(measured: &MeasuredCurve, sampled: &SampledCurve) -> f64 {
     let (dense, mut worst) = (measured.dense(), 0.0f64);
     for component in sampled.components() {
         let samples = &sampled.dense_indices()[component.range.clone()];
@@ -72,11 +69,11 @@ fn fewer_samples_are_reconstructed_all_the_same() {
     ] {
         let measured = fixture(name);
         let start = start(&measured);
-        let verification = verification(&HnnCrust::MUTUAL, DeviationLimit::OfLfs(0.9));
-        let found = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+        let options = options(&HnnCrust::MUTUAL, DeviationLimit::OfLfs(0.9));
+        let found = sample_verified_with(&start, &options).unwrap();
         let samples = &found.samples;
         assert!(
-            (samples.len() as f64) < most * start.len() as f64,
+            (samples.len() as f64) < most * start.samples.len() as f64,
             "{name} {}",
             samples.len()
         );
@@ -85,8 +82,11 @@ fn fewer_samples_are_reconstructed_all_the_same() {
             samples.manifold_boundary()
         );
         assert!(deviation(&measured, samples) < 0.9);
-        assert_eq!(samples.components().len(), start.components().len());
-        let again = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+        let components = start.samples.components();
+        assert_eq!(samples.components().len(), components.len());
+        // What they attain is told, though nothing asks for it.
+        assert!(found.attained.unwrap().bound > start.attained.unwrap().bound);
+        let again = sample_verified_with(&start, &options).unwrap();
         assert_eq!(found, again);
     }
 }
@@ -114,13 +114,12 @@ fn local_steps_decide_as_full_runs() {
         let measured = fixture(name);
         let start = start(&measured);
         let run = |algorithm: &dyn Reconstructor| {
-            let mut verification = verification(algorithm, DeviationLimit::OfLfs(0.9));
-            verification.rounds = 3;
-            sample_verified(&measured, &start, verification, &|_, _| {})
-                .unwrap()
-                .samples
+            let mut options = options(algorithm, DeviationLimit::OfLfs(0.9));
+            options.rounds = 3;
+            sample_verified_with(&start, &options).unwrap().samples
         };
         let [local, full] = [run(&HnnCrust::MUTUAL), run(&Unknown)];
+        let start = &start.samples;
         if start.components().iter().all(|component| component.closed) {
             assert_eq!(local, full, "{name}");
         } else {
@@ -137,25 +136,19 @@ fn local_steps_decide_as_full_runs() {
 #[test]
 fn other_algorithms_and_limits() {
     let measured = fixture("teaser");
-    let start = sample(&measured, Condition::epsilon(0.2).unwrap())
-        .unwrap()
-        .samples;
+    let start = sample(&measured, Condition::epsilon(0.2).unwrap()).unwrap();
     let limit = DeviationLimit::Length(0.5 * measured.lfs().minimum());
-    let found = sample_verified(&measured, &start, verification(&Crust, limit), &|_, _| {});
-    let found = found.unwrap();
-    assert!(found.samples.len() < start.len() / 2);
+    let found = sample_verified_with(&start, &options(&Crust, limit)).unwrap();
+    assert!(found.samples.len() < start.samples.len() / 2);
     let points = found.samples.point_set().unwrap();
     assert_eq!(
         Crust.reconstruct(&points),
         found.samples.manifold_boundary()
     );
-    assert_eq!(found.algorithm, "crust");
 
     // Without a limit what is left need not look like the curve.
-    let none = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
-    let few = sample_verified(&measured, &start, none, &|_, _| {})
-        .unwrap()
-        .samples;
+    let none = options(&HnnCrust::MUTUAL, DeviationLimit::None);
+    let few = sample_verified_with(&start, &none).unwrap().samples;
     assert!(few.len() < 10 && deviation(&measured, &few) > 1.0);
 }
 
@@ -164,9 +157,9 @@ fn other_algorithms_and_limits() {
 fn no_single_sample_can_go() {
     for name in ["teaser", "berries"] {
         let measured = fixture(name);
-        let mut verification = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
-        verification.rounds = 1;
-        let found = sample_verified(&measured, &start(&measured), verification, &|_, _| {});
+        let mut options = options(&HnnCrust::MUTUAL, DeviationLimit::None);
+        options.rounds = 1;
+        let found = sample_verified_with(&start(&measured), &options);
         let samples = found.unwrap().samples;
         for component in samples.components() {
             assert!(component.closed, "{name}");
@@ -203,10 +196,10 @@ fn of_an_arc_only_the_ends_stay() {
     let arc = Curve::from_path_data("M -40 9 A 41 41 0 0 1 40 9").unwrap();
     let measured = measured(&arc);
     let start = start(&measured);
-    assert!(start.len() > 2);
-    let mut verification = verification(&HnnCrust::MUTUAL, DeviationLimit::None);
-    verification.rounds = 0;
-    let found = sample_verified(&measured, &start, verification, &|_, _| {}).unwrap();
+    assert!(start.samples.len() > 2);
+    let mut options = options(&HnnCrust::MUTUAL, DeviationLimit::None);
+    options.rounds = 0;
+    let found = sample_verified_with(&start, &options).unwrap();
     assert_eq!(
         found.samples.dense_indices(),
         [0, measured.dense().len() - 1]
@@ -217,14 +210,8 @@ fn of_an_arc_only_the_ends_stay() {
 fn what_is_no_start_is_refused() {
     let measured = fixture("teaser");
     let coarse = sample_uniformly(&measured, 150.0).unwrap();
-    let verify = |start: &SampledCurve, limit| {
-        sample_verified(
-            &measured,
-            start,
-            verification(&HnnCrust::MUTUAL, limit),
-            &|_, _| {},
-        )
-    };
+    let verify =
+        |start: &Sampling, limit| sample_verified_with(start, &options(&HnnCrust::MUTUAL, limit));
     let refused = verify(&coarse, DeviationLimit::None);
     assert!(matches!(
         refused,
@@ -237,7 +224,9 @@ fn what_is_no_start_is_refused() {
         refused,
         Err(SamplingError::LimitExceeded { component: 0, .. })
     ));
-    let refused = verify(&start(&fixture("bunny")), DeviationLimit::None);
+    let mut elsewhere = start(&fixture("bunny"));
+    elsewhere.measured = measured.clone();
+    let refused = verify(&elsewhere, DeviationLimit::None);
     assert!(matches!(
         refused,
         Err(SamplingError::NoSuchPlace { .. } | SamplingError::OffCurve { .. })

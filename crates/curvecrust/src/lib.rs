@@ -20,14 +20,12 @@
 //! ```
 //! use curvecrust::curve::Curve;
 //! use curvecrust::evaluate::EdgeComparison;
-//! use curvecrust::medial_axis::{Discretisation, Estimator, measure};
 //! use curvecrust::reconstruct::hnn_crust;
-//! use curvecrust::sampling::{Condition, sample_greedy};
+//! use curvecrust::sampling::{Condition, sample_curve};
 //!
 //! let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
 //! let curve = Curve::from_path_data(d)?;
-//! let measured = measure(&curve, Discretisation::Adaptive { gap_to_lfs: 0.02 }, Estimator::Voronoi, &|_, _| {})?;
-//! let samples = sample_greedy(&measured, Condition::rho(0.9)?);
+//! let samples = sample_curve(&curve, Condition::rho(0.9)?)?.samples;
 //!
 //! // What the reconstruction sees is bare points.
 //! let edges = hnn_crust(&samples.point_set()?);

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
-use curvecrust::medial_axis::{Discretisation, Estimator, measure};
+use curvecrust::medial_axis::{Discretisation, MeasureOptions, measure_with};
 use curvecrust::reconstruct::{ALGORITHMS, Reconstructor};
 use curvecrust::sampling::{Condition, sample};
 
@@ -30,8 +30,11 @@ fn fixtures() -> Vec<(String, PointSet)> {
     let mut found = Vec::new();
     for path in files("curves") {
         let curve = Curve::from_svg(&fs::read_to_string(&path).unwrap()).unwrap();
-        let adaptive = Discretisation::Adaptive { gap_to_lfs: 0.05 };
-        let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {}).unwrap();
+        let options = MeasureOptions {
+            discretisation: Discretisation::Adaptive { gap_to_lfs: 0.05 },
+            ..MeasureOptions::default()
+        };
+        let measured = measure_with(&curve, &options).unwrap();
         for condition in [Condition::rho(0.9), Condition::epsilon(1.0 / 3.0)] {
             let sampling = sample(&measured, condition.unwrap()).unwrap();
             found.push((name(&path), sampling.samples.points().to_vec()));

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use curvecrust::curve::{Component, CubicBezier, Curve};
 use curvecrust::evaluate::EdgeComparison;
 use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Segment};
-use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust::reconstruct::{crust, hnn_crust, least_detour, nn_crust, one_step_crust};
-use curvecrust::sampling::{Condition, SampledCurve, sample_greedy, theory};
+use curvecrust::sampling::{Condition, SampledCurve, sample_at_dense_points, theory};
 use rayon::prelude::*;
 
 const STARTS: u64 = 20;
@@ -69,7 +69,7 @@ fn restarted(curve: &Curve, seed: u64) -> Curve {
 
 /// The intervals of a sampling: first and last sample, and the dense points from one to the other.
 fn intervals<'a>(
-    measured: &'a Measured,
+    measured: &'a MeasuredCurve,
     sampled: &'a SampledCurve,
 ) -> impl Iterator<Item = (usize, usize, Vec<usize>)> + 'a {
     sampled.components().iter().flat_map(move |component| {
@@ -97,7 +97,7 @@ fn intervals<'a>(
 }
 
 /// The largest distance of a dense point to the nearer end of its interval, in units of the reach.
-fn attained_rho(measured: &Measured, sampled: &SampledCurve) -> f64 {
+fn attained_rho(measured: &MeasuredCurve, sampled: &SampledCurve) -> f64 {
     let points = measured.dense().points();
     intervals(measured, sampled)
         .map(|(from, to, dense)| {
@@ -113,8 +113,8 @@ fn attained_rho(measured: &Measured, sampled: &SampledCurve) -> f64 {
 }
 
 /// The samples, if the condition holds on the intervals back to the starts too.
-fn valid(measured: &Measured, condition: Condition) -> Option<SampledCurve> {
-    let sampled = sample_greedy(measured, condition);
+fn valid(measured: &MeasuredCurve, condition: Condition) -> Option<SampledCurve> {
+    let sampled = sample_at_dense_points(measured, condition).samples;
     let closed = sampled
         .closing_intervals()
         .iter()
@@ -131,14 +131,11 @@ fn the_theorems_hold_on_every_sampling() {
     // One test: measuring a curve takes most of the time.
     let bursts = jobs.into_par_iter().map(|(path, seed)| {
         let curve = Curve::from_svg(&std::fs::read_to_string(&path).unwrap()).unwrap();
-        let adaptive = Discretisation::Adaptive { gap_to_lfs: GAP };
-        let measured = measure(
-            &restarted(&curve, seed),
-            adaptive,
-            Estimator::Voronoi,
-            &|_, _| {},
-        )
-        .unwrap();
+        let options = MeasureOptions {
+            discretisation: Discretisation::Adaptive { gap_to_lfs: GAP },
+            ..MeasureOptions::default()
+        };
+        let measured = measure_with(&restarted(&curve, seed), &options).unwrap();
         let name = format!(
             "{} from start {seed}",
             path.file_stem().unwrap().to_string_lossy()
@@ -158,7 +155,7 @@ fn the_theorems_hold_on_every_sampling() {
     );
 }
 
-fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured) {
+fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &MeasuredCurve) {
     let exact = |what: &str, sampled: &SampledCurve, found| {
         let comparison = EdgeComparison::new(&sampled.manifold_boundary(), &found);
         assert!(comparison.is_exact(), "{what} on {name}: {comparison:?}");
@@ -167,7 +164,7 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
         Condition::rho(0.9).unwrap(),
         Condition::epsilon(0.47).unwrap(),
     ] {
-        let sampled = sample_greedy(measured, condition);
+        let sampled = sample_at_dense_points(measured, condition).samples;
         let points = sampled.point_set().unwrap();
         exact("HNN-Crust", &sampled, hnn_crust(&points));
         // Proven for epsilon < 0.297 only.
@@ -178,7 +175,7 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
         .components()
         .iter()
         .all(|component| component.closed);
-    let sampled = sample_greedy(measured, Condition::epsilon(1.0 / 3.0).unwrap());
+    let sampled = sample_at_dense_points(measured, Condition::epsilon(1.0 / 3.0).unwrap()).samples;
     // The theorems are about closed curves: at a terminus, NN-Crust adds an edge.
     if closed {
         exact(
@@ -187,14 +184,18 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
             nn_crust(&sampled.point_set().unwrap()),
         );
     }
-    let sampled = sample_greedy(measured, Condition::epsilon(0.2).unwrap());
+    let sampled = sample_at_dense_points(measured, Condition::epsilon(0.2).unwrap()).samples;
     exact("Crust", &sampled, crust(&sampled.point_set().unwrap()));
 }
 
 /// More samples keep a rho-sample one, however uneven they make it: here every few intervals have six
 /// at one of their ends, up to ninety times closer than the other end. Of least detour no theorem says
 /// so: whether it is right too, which it is but for two samplings.
-fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) -> Option<bool> {
+fn bursts_of_samples_change_nothing(
+    name: &str,
+    measured: &MeasuredCurve,
+    seed: u64,
+) -> Option<bool> {
     let sampled = valid(measured, Condition::rho(0.9).unwrap())?;
     let mut seed = seed;
     let (mut points, mut edges): (Vec<DVec2>, Vec<Edge>) = (Vec::new(), Vec::new());
@@ -232,9 +233,10 @@ fn bursts_of_samples_change_nothing(name: &str, measured: &Measured, seed: u64) 
     Some(EdgeComparison::new(&boundary, &least_detour(&points)).is_exact())
 }
 
-fn one_step_and_two_step_crust_agree_on_dense_samples(name: &str, measured: &Measured) {
+fn one_step_and_two_step_crust_agree_on_dense_samples(name: &str, measured: &MeasuredCurve) {
     for epsilon in [0.1, 0.2, 0.25] {
-        let sampled = sample_greedy(measured, Condition::epsilon(epsilon).unwrap());
+        let sampled =
+            sample_at_dense_points(measured, Condition::epsilon(epsilon).unwrap()).samples;
         let points = sampled.point_set().unwrap();
         assert_eq!(
             one_step_crust(&points).crust,
@@ -244,7 +246,7 @@ fn one_step_and_two_step_crust_agree_on_dense_samples(name: &str, measured: &Mea
     }
 }
 
-fn an_epsilon_sample_is_a_rho_sample(name: &str, measured: &Measured) {
+fn an_epsilon_sample_is_a_rho_sample(name: &str, measured: &MeasuredCurve) {
     // SGP 2016, Theorem 1.
     for epsilon in [0.2, 1.0 / 3.0, 0.47] {
         let Some(sampled) = valid(measured, Condition::epsilon(epsilon).unwrap()) else {
@@ -259,7 +261,7 @@ fn an_epsilon_sample_is_a_rho_sample(name: &str, measured: &Measured) {
     }
 }
 
-fn angles_and_distances_keep_their_bounds(name: &str, measured: &Measured) {
+fn angles_and_distances_keep_their_bounds(name: &str, measured: &MeasuredCurve) {
     for rho in [0.5, 0.9] {
         let Some(sampled) = valid(measured, Condition::rho(rho).unwrap()) else {
             continue;

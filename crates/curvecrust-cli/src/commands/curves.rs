@@ -5,7 +5,8 @@ use crate::console::Console;
 use crate::input::{self, Source};
 use anyhow::{Context, anyhow};
 use curvecrust::curve::{Curve, SplitCurve};
-use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::geometry::Progress;
+use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust::sampling::{Bound, Condition};
 use std::path::Path;
 
@@ -48,7 +49,7 @@ pub(super) fn measured(
     curve: &Curve,
     condition: Option<Condition>,
     console: &Console,
-) -> anyhow::Result<Measured> {
+) -> anyhow::Result<MeasuredCurve> {
     let finest = condition.map_or(GAP, |c| GAP.min(GAP_TO_BOUND * c.bound().value()));
     let discretisation = match args.per_segment {
         Some(points) => Discretisation::PerSegment(points),
@@ -57,7 +58,12 @@ pub(super) fn measured(
         },
     };
     let measured = console.during("measuring the local feature size", |progress| {
-        measure(curve, discretisation, Estimator::Voronoi, progress)
+        let options = MeasureOptions {
+            discretisation,
+            progress: Progress::new(progress),
+            ..MeasureOptions::default()
+        };
+        measure_with(curve, &options)
     });
     measured.with_context(|| input::name(&args.path))
 }

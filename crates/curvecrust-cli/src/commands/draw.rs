@@ -9,7 +9,7 @@ use crate::output::{Layer, Output, Picture, Places};
 use anyhow::ensure;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
-use curvecrust::medial_axis::{Measured, MedialAxis};
+use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
 use curvecrust::reconstruct::{Explanation, Reconstruction};
 use std::path::Path;
 
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &args::Draw, console: &Console) -> anyhow::Result<Outcom
 /// A curve, and what was asked for about it.
 struct Drawn {
     curve: Curve,
-    measured: Option<Measured>,
+    measured: Option<MeasuredCurve>,
     axis: Vec<Segment>,
 }
 

@@ -8,7 +8,7 @@ use anyhow::Context;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::{EdgeComparison, hausdorff};
 use curvecrust::geometry::{Edge, EdgeSet, PointId};
-use curvecrust::medial_axis::Measured;
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::sampling::{PlacedSamples, Projected};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &args::Evaluate, console: &Console) -> anyhow::Result<Ou
 }
 
 /// The edges between consecutive samples of each component.
-fn consecutive(measured: &Measured, placed: &Projected) -> EdgeSet {
+fn consecutive(measured: &MeasuredCurve, placed: &Projected) -> EdgeSet {
     let components = placed.samples.components().iter();
     let dense = measured.dense().components();
     let edges = components.zip(dense).flat_map(|(range, component)| {

@@ -5,7 +5,7 @@ use crate::args;
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{self, Number, Output};
-use curvecrust::medial_axis::Measured;
+use curvecrust::medial_axis::MeasuredCurve;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &args::Lfs, console: &Console) -> anyhow::Result<Outcome
     Ok(Outcome::Fine)
 }
 
-fn write_csv(out: &mut dyn Write, measured: &Measured) -> io::Result<()> {
+fn write_csv(out: &mut dyn Write, measured: &MeasuredCurve) -> io::Result<()> {
     writeln!(out, "curve,x,y,lfs")?;
     let dense = measured.dense();
     let values = measured.lfs().values();
@@ -58,7 +58,7 @@ fn write_csv(out: &mut dyn Write, measured: &Measured) -> io::Result<()> {
     Ok(())
 }
 
-fn object(measured: &Measured) -> Object {
+fn object(measured: &MeasuredCurve) -> Object {
     let points = measured.dense().points();
     let components = measured.dense().components().iter();
     let component = |component: &curvecrust::curve::DenseComponent| {

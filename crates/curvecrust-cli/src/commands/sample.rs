@@ -10,11 +10,12 @@ use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::evaluate::hausdorff;
-use curvecrust::medial_axis::Measured;
-use curvecrust::reconstruct::{HnnCrust, hnn_crust};
+use curvecrust::geometry::Progress;
+use curvecrust::medial_axis::MeasuredCurve;
+use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{
-    CertifiedSampling, Condition, DeviationLimit, PlacedSamples, SampledCurve, Verification, check,
-    sample, sample_curve, sample_fewest, sample_split, sample_verified,
+    Condition, DeviationLimit, SampleOptions, SampledCurve, Sampling, VerifyOptions, sample,
+    sample_curve_with, sample_fewest_with, sample_split_with, sample_verified_with,
 };
 use serde::Serialize;
 use std::io::{self, Write};
@@ -33,12 +34,6 @@ const FORMATS: &[Format] = &[
 
 /// How exactly the Hausdorff distance is computed, as a share of the extent.
 const HAUSDORFF_TOLERANCE: f64 = 1e-4;
-
-/// How far the curve may be from the chords of verified samples, as a share of lfs: none gets across the
-/// medial axis.
-const DEVIATION: f64 = 1.0;
-/// How often verified samples are shaken: some hundred times find most.
-const ROUNDS: usize = 300;
 
 /// What `--json` prints; the schema is stable, and in `docs/formats.md`.
 #[derive(Serialize)]
@@ -71,25 +66,25 @@ struct Properties {
 
 pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outcome> {
     let output = Output::new(&args.output, args.json, FORMATS)?;
-    let (curve, certified) = match args.corners {
+    let (curve, condition, sampling) = match args.corners {
         Corners::Refuse => {
             let curve = curves::read_or_say_split(&args.curve.path)?;
             let condition = condition(args, &curve)?;
             let given = (args.curve.gap.is_some() || args.curve.per_segment.is_some())
                 .then(|| curves::measured(&args.curve, &curve, None, console))
                 .transpose()?;
-            let certified = taken(args, &curve, given, condition, console)
+            let sampling = taken(args, &curve, given, condition, console)
                 .with_context(|| input::name(&args.curve.path))?;
-            (curve, certified)
+            (curve, condition, sampling)
         }
         Corners::Split => {
             let split = curves::read_split(&args.curve.path)?;
-            let certified = from_corner_to_corner(args, &split, console)
+            let (condition, sampling) = from_corner_to_corner(args, &split, console)
                 .with_context(|| input::name(&args.curve.path))?;
-            (split.pieces().clone(), certified)
+            (split.pieces().clone(), condition, sampling)
         }
     };
-    let samples = &certified.samples;
+    let samples = &sampling.samples;
     if let Some(output) = output {
         match output.format {
             Format::Csv => output.write(|out| write_csv(out, samples))?,
@@ -98,7 +93,7 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
                 let rows = samples.points().iter().map(|p| p.to_array());
                 output.write(|out| npy::write_f64(out, rows))?;
             }
-            Format::Json => output.write_json(&object(&curve, &certified)?)?,
+            Format::Json => output.write_json(&object(&curve, condition, &sampling)?)?,
             Format::Svg => {
                 let layers = vec![Layer::Points(samples.points())];
                 output.write(|out| Picture { layers }.write(out))?;
@@ -107,9 +102,9 @@ pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outc
         }
     }
     if args.json {
-        output::print_json(&object(&curve, &certified)?)?;
+        output::print_json(&object(&curve, condition, &sampling)?)?;
     }
-    let (name, bound) = curves::bound(certified.condition);
+    let (name, bound) = curves::bound(condition);
     let verified = if args.count == Count::Verified {
         ", fewer than the condition asks for: verified for this sample set only"
     } else {
@@ -132,15 +127,16 @@ fn from_corner_to_corner(
     args: &args::Sample,
     split: &SplitCurve,
     console: &Console,
-) -> anyhow::Result<CertifiedSampling> {
+) -> anyhow::Result<(Condition, Sampling)> {
     if args.curve.gap.is_some() || args.curve.per_segment.is_some() || args.count != Count::Fewest {
         bail!("--corners split goes without --gap, --per-segment and --count");
     }
     let condition = condition(args, split.pieces())?;
-    let (_, sampling) = console.during("sampling", |progress| {
-        sample_split(split, condition, progress)
+    let sampling = console.during("sampling", |progress| {
+        let progress = Progress::new(progress);
+        sample_split_with(split, condition, &SampleOptions { progress })
     })?;
-    let samples = sampling.samples;
+    let samples = &sampling.samples;
     let corners = split.corners().len();
     if corners > 0 {
         let found = if hnn_crust(&samples.point_set()?) == samples.manifold_boundary() {
@@ -152,68 +148,51 @@ fn from_corner_to_corner(
             "{corners} corners, which no theorem covers: HNN-Crust {found} of these samples"
         ));
     }
-    Ok(CertifiedSampling {
-        samples,
-        ..sampling.pieces
-    })
+    Ok((condition, sampling))
 }
 
 /// Samples as they were asked for, at dense points that are given, or as many as needed.
 fn taken(
     args: &args::Sample,
     curve: &Curve,
-    given: Option<Measured>,
+    given: Option<MeasuredCurve>,
     condition: Condition,
     console: &Console,
-) -> anyhow::Result<CertifiedSampling> {
-    let (measured, greedy) = match given {
-        Some(measured) => {
-            let greedy = sample(&measured, condition)?;
-            (measured, greedy)
-        }
+) -> anyhow::Result<Sampling> {
+    let greedy = match given {
+        Some(measured) => sample(&measured, condition)?,
         None => console.during("sampling", |progress| {
-            sample_curve(curve, condition, progress)
+            let progress = Progress::new(progress);
+            sample_curve_with(curve, condition, &SampleOptions { progress })
         })?,
     };
     match args.count {
         Count::Greedy => Ok(greedy),
         Count::Fewest => Ok(console.during("sampling from every start", |progress| {
-            sample_fewest(&measured, condition, progress)
+            let progress = Progress::new(progress);
+            sample_fewest_with(&greedy.measured, condition, &SampleOptions { progress })
         })?),
-        Count::Verified => {
-            let verification = Verification {
-                algorithm: &HnnCrust::MUTUAL,
-                deviation: match condition.hausdorff_limit() {
-                    Some(limit) => DeviationLimit::Length(limit),
-                    None => DeviationLimit::OfLfs(DEVIATION),
-                },
-                rounds: ROUNDS,
-                seed: 1,
+        Count::Verified => Ok(console.during("taking samples away", |progress| {
+            let default = VerifyOptions::default();
+            let limit = condition.hausdorff_limit();
+            let options = VerifyOptions {
+                deviation: limit.map_or(default.deviation, DeviationLimit::Length),
+                progress: Progress::new(progress),
+                ..default
             };
-            let verified = console.during("taking samples away", |progress| {
-                sample_verified(&measured, &greedy.samples, verification, progress)
-            })?;
-            let placed = PlacedSamples::of(&measured, &verified.samples)?;
-            Ok(CertifiedSampling {
-                attained: check(&measured, &placed, condition).worst,
-                samples: verified.samples,
-                condition,
-            })
-        }
+            sample_verified_with(&greedy, &options)
+        })?),
     }
 }
 
-fn object(curve: &Curve, certified: &CertifiedSampling) -> anyhow::Result<Object> {
-    let CertifiedSampling {
-        samples,
-        condition,
-        attained,
-        ..
-    } = certified;
+fn object(curve: &Curve, condition: Condition, sampling: &Sampling) -> anyhow::Result<Object> {
+    let Sampling {
+        samples, attained, ..
+    } = sampling;
     let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
     let polygon = samples.manifold_boundary();
     let distance = hausdorff(curve, &samples.point_set()?, &polygon, tolerance).distance();
-    let (name, bound) = curves::bound(*condition);
+    let (name, bound) = curves::bound(condition);
     let components = samples.components().iter().map(|component| Component {
         start: component.range.start,
         end: component.range.end,

@@ -12,7 +12,7 @@ use super::{Number, Places};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::{PointSet, Segment};
-use curvecrust::medial_axis::Measured;
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::Explanation;
 use frame::Frame;
 use std::fmt;
@@ -27,7 +27,7 @@ pub(crate) enum Layer<'a> {
     /// A smooth curve.
     Curve(&'a Curve),
     /// A smooth curve, coloured by its local feature size.
-    Lfs(&'a Measured),
+    Lfs(&'a MeasuredCurve),
     /// The medial axis; what runs out of the picture is cut off.
     Axis(&'a [Segment]),
     /// Found edges.

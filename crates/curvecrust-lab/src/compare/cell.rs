@@ -7,7 +7,7 @@ use super::scene::{Named, Part, Scene};
 use anyhow::Context;
 use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
-use curvecrust::sampling::with_outliers;
+use curvecrust::sampling::{Outliers, with_outliers};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -198,7 +198,12 @@ impl Cell {
         }
         if self.outliers > 0.0 {
             let count = rounded(points.len() as f64 * self.outliers);
-            points = with_outliers(&points, count, MARGIN, !seed)?;
+            let outliers = Outliers {
+                count,
+                margin: MARGIN,
+                seed: !seed,
+            };
+            points = with_outliers(&points, outliers)?;
         }
         Ok(Sampled {
             boundary: EdgeSet::new(points.len(), boundary.edges().iter().copied()),

@@ -66,14 +66,19 @@ pub(super) fn run(
     Ok(Some(lines))
 }
 
-struct Measured {
+struct MeasuredCurve {
     seconds: f64,
     /// In bytes.
     memory: Option<u64>,
     exact: bool,
 }
 
-fn in_a_process(name: &str, points: usize, seed: u64, threads: usize) -> anyhow::Result<Measured> {
+fn in_a_process(
+    name: &str,
+    points: usize,
+    seed: u64,
+    threads: usize,
+) -> anyhow::Result<MeasuredCurve> {
     let program = std::env::current_exe().context("cannot find this program")?;
     let output = Command::new(program)
         .args(["compare", ARGUMENT, &format!("{name},{points},{seed}")])
@@ -90,7 +95,7 @@ fn in_a_process(name: &str, points: usize, seed: u64, threads: usize) -> anyhow:
     let &[seconds, memory, exact] = fields.as_slice() else {
         bail!("the process said {text:?}");
     };
-    Ok(Measured {
+    Ok(MeasuredCurve {
         seconds: seconds.parse()?,
         memory: memory.parse().ok(),
         exact: exact.parse()?,

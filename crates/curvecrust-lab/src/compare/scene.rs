@@ -7,7 +7,7 @@ use curvecrust::DVec2;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::Reference;
 use curvecrust::geometry::Segment;
-use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::fs;
@@ -66,10 +66,13 @@ impl Scene {
             Named::Authors(name) => drawn(&authors_curves().join(name))?,
             Named::Random { terms, seed } => fourier::curve(*terms, *seed)?,
         };
-        let adaptive = Discretisation::Adaptive {
-            gap_to_lfs: GAP_TO_LFS,
+        let options = MeasureOptions {
+            discretisation: Discretisation::Adaptive {
+                gap_to_lfs: GAP_TO_LFS,
+            },
+            ..MeasureOptions::default()
         };
-        let measured = measure(&curve, adaptive, Estimator::Voronoi, &|_, _| {})?;
+        let measured = measure_with(&curve, &options)?;
         Ok(Self {
             reference: Reference::of_curve(&curve, FLATNESS * curve.extent()),
             parts: parts(&measured),
@@ -183,7 +186,7 @@ fn drawn(path: &Path) -> anyhow::Result<Curve> {
     Curve::from_svg(&text).with_context(|| path.display().to_string())
 }
 
-fn parts(measured: &Measured) -> Vec<Part> {
+fn parts(measured: &MeasuredCurve) -> Vec<Part> {
     let dense = measured.dense();
     let of = |component: &curvecrust::curve::DenseComponent| Part {
         points: dense.points()[component.range.clone()].to_vec(),

@@ -4,10 +4,10 @@ use super::measure::{CONVERGED, Run};
 use super::models::Model;
 use super::rows::{FewestRow, VerifiedCounts};
 use anyhow::Context;
-use curvecrust::medial_axis::Measured;
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::{HnnCrust, hnn_crust};
 use curvecrust::sampling::{
-    Condition, DeviationLimit, SampledCurve, Verification, sample, sample_fewest, sample_verified,
+    Condition, DeviationLimit, Sampling, VerifyOptions, sample, sample_fewest, sample_verified_with,
 };
 use rayon::prelude::*;
 
@@ -28,16 +28,18 @@ pub(crate) fn rows(models: &[Model], rounds: usize) -> anyhow::Result<Vec<Fewest
     Ok(rows.into_iter().flatten().collect())
 }
 
-fn of_model(model: &Model, measured: &Measured, rounds: usize) -> anyhow::Result<[FewestRow; 3]> {
+fn of_model(
+    model: &Model,
+    measured: &MeasuredCurve,
+    rounds: usize,
+) -> anyhow::Result<[FewestRow; 3]> {
     let rho = Condition::rho(0.9)?;
     let row = |name, condition, verified| -> anyhow::Result<FewestRow> {
         Ok(FewestRow {
             model: model.name,
             condition: name,
             greedy: sample(measured, condition)?.samples.len(),
-            fewest: sample_fewest(measured, condition, &|_, _| ())?
-                .samples
-                .len(),
+            fewest: sample_fewest(measured, condition)?.samples.len(),
             verified,
         })
     };
@@ -56,26 +58,27 @@ fn of_model(model: &Model, measured: &Measured, rounds: usize) -> anyhow::Result
 
 fn verified(
     model: &Model,
-    measured: &Measured,
+    measured: &MeasuredCurve,
     rho: Condition,
     rounds: usize,
 ) -> anyhow::Result<VerifiedCounts> {
     let limit = LIMIT * model.curve.extent();
-    let start = sample(measured, rho)?.samples;
-    let near = sample(measured, rho.with_hausdorff_limit(limit)?)?.samples;
+    let start = sample(measured, rho)?;
+    let near = sample(measured, rho.with_hausdorff_limit(limit)?)?;
     let runs = [
         (&start, DeviationLimit::OfLfs(1.0)),
         (&near, DeviationLimit::Length(limit)),
         (&start, DeviationLimit::None),
     ];
-    let run = |(start, deviation): (&SampledCurve, DeviationLimit)| {
-        let verification = Verification {
+    let run = |(start, deviation): (&Sampling, DeviationLimit)| {
+        let options = VerifyOptions {
             algorithm: &HnnCrust::MUTUAL,
             deviation,
             rounds,
             seed: SEED,
+            ..VerifyOptions::default()
         };
-        let found = sample_verified(measured, start, verification, &|_, _| ())?;
+        let found = sample_verified_with(start, &options)?;
         let exact = hnn_crust(&found.samples.point_set()?) == found.samples.manifold_boundary();
         Ok((found.samples.len(), exact))
     };

@@ -6,7 +6,9 @@ use super::rows::{Counts, CurveOrigin, PaperReport, Setting, Table1Row, Table2Ro
 use anyhow::Context;
 use curvecrust::curve::DenseCurve;
 use curvecrust::evaluate::EdgeComparison;
-use curvecrust::medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust::medial_axis::{
+    Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure_with,
+};
 use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{Condition, sample_as_published, theory};
 use rayon::prelude::*;
@@ -52,24 +54,26 @@ impl Run {
         }
     }
 
-    pub(super) fn measure(self, model: &Model) -> anyhow::Result<Measured> {
+    pub(super) fn measure(self, model: &Model) -> anyhow::Result<MeasuredCurve> {
         let (points, estimator) = match self {
             Self::Voronoi(points) => (points, Estimator::Voronoi),
             Self::ShrinkingBall(points) => (points, Estimator::ShrinkingBall),
         };
+        let by = |discretisation| {
+            let options = MeasureOptions {
+                discretisation,
+                estimator,
+                ..MeasureOptions::default()
+            };
+            measure_with(&model.curve, &options)
+        };
         let measured = match (points, estimator) {
             (Points::PerSegment, Estimator::ShrinkingBall) => {
                 let dense = DenseCurve::per_segment_in_single(&model.curve, PER_SEGMENT)?;
-                Measured::new(dense, estimator)
+                MeasuredCurve::new(dense, estimator)
             }
-            (Points::PerSegment, Estimator::Voronoi) => {
-                let discretisation = Discretisation::PerSegment(PER_SEGMENT);
-                measure(&model.curve, discretisation, estimator, &|_, _| {})
-            }
-            (Points::Adaptive(gap_to_lfs), _) => {
-                let discretisation = Discretisation::Adaptive { gap_to_lfs };
-                measure(&model.curve, discretisation, estimator, &|_, _| {})
-            }
+            (Points::PerSegment, Estimator::Voronoi) => by(Discretisation::PerSegment(PER_SEGMENT)),
+            (Points::Adaptive(gap_to_lfs), _) => by(Discretisation::Adaptive { gap_to_lfs }),
         };
         measured.with_context(|| model.name.to_owned())
     }
@@ -133,7 +137,7 @@ pub(crate) fn tables_2_and_3(
     })
 }
 
-fn table_2_row(run: Run, model: &Model, measured: &Measured) -> anyhow::Result<Table2Row> {
+fn table_2_row(run: Run, model: &Model, measured: &MeasuredCurve) -> anyhow::Result<Table2Row> {
     let sampled = Sampled::new(measured, None)?;
     Ok(Table2Row {
         model: model.name,
@@ -147,7 +151,7 @@ fn table_2_row(run: Run, model: &Model, measured: &Measured) -> anyhow::Result<T
 fn table_3_row(
     run: Run,
     model: &Model,
-    measured: &Measured,
+    measured: &MeasuredCurve,
     limit_percent: Option<f64>,
 ) -> anyhow::Result<Table3Row> {
     let limit = limit_percent.map(|percent| percent / 100.0 * model.curve.extent());
@@ -169,7 +173,7 @@ struct Sampled {
 }
 
 impl Sampled {
-    fn new(measured: &Measured, hausdorff_limit: Option<f64>) -> anyhow::Result<Self> {
+    fn new(measured: &MeasuredCurve, hausdorff_limit: Option<f64>) -> anyhow::Result<Self> {
         let mut counts = [0; 3];
         let (mut reconstructed, mut closing_intervals_hold) = (true, true);
         let conditions = [
@@ -182,7 +186,7 @@ impl Sampled {
                 Some(limit) => condition.with_hausdorff_limit(limit)?,
                 None => condition,
             };
-            let sampled = sample_as_published(measured, condition);
+            let sampled = sample_as_published(measured, condition).samples;
             let found = hnn_crust(&sampled.point_set()?);
             let comparison = EdgeComparison::new(&sampled.manifold_boundary(), &found);
             *count = sampled.len();

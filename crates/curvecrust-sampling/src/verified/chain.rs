@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use curvecrust_curve::DenseComponent;
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
-use super::DeviationLimit;
+use crate::condition::DeviationLimit;
 use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
@@ -80,7 +80,7 @@ impl Chain {
 }
 
 impl<'a> Chains<'a> {
-    pub(crate) fn new(measured: &'a Measured, placed: &PlacedSamples) -> Self {
+    pub(crate) fn new(measured: &'a MeasuredCurve, placed: &PlacedSamples) -> Self {
         let components = measured.dense().components().iter();
         let chain = |(dense, samples): (&DenseComponent, Range<usize>)| Chain {
             closed: dense.closed,
@@ -137,7 +137,7 @@ impl<'a> Chains<'a> {
         })
     }
 
-    pub(crate) fn sampled(&self, measured: &Measured) -> SampledCurve {
+    pub(crate) fn sampled(&self, measured: &MeasuredCurve) -> SampledCurve {
         let mut sampled = SampledCurve::default();
         for chain in &self.chains {
             let mut samples = chain.samples.clone();

@@ -3,8 +3,8 @@
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
-use super::DeviationLimit;
 use super::chain::{Chains, Place};
+use crate::condition::DeviationLimit;
 use crate::gaps::Gaps;
 
 /// Distances that differ by less than this fraction of their squares count as equal, and as a failure.

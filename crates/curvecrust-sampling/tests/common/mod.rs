@@ -11,7 +11,7 @@ use std::path::Path;
 
 use curvecrust_curve::{Component, CubicBezier, Curve};
 use curvecrust_geometry::DVec2;
-use curvecrust_medial_axis::{Discretisation, Estimator, Measured, measure};
+use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 
 /// A small generator of seeded numbers (SplitMix64).
 pub struct Random(u64);
@@ -135,13 +135,11 @@ fn chain(random: &mut Random) -> Vec<CubicBezier> {
 }
 
 /// An open arch from (0, 0) to (6, 0).
-pub fn arch() -> Measured {
+pub fn arch() -> MeasuredCurve {
     let curve = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
-    measure(
-        &curve,
-        Discretisation::Adaptive { gap_to_lfs: 0.01 },
-        Estimator::Voronoi,
-        &|_, _| {},
-    )
-    .unwrap()
+    let options = MeasureOptions {
+        discretisation: Discretisation::Adaptive { gap_to_lfs: 0.01 },
+        ..MeasureOptions::default()
+    };
+    measure_with(&curve, &options).unwrap()
 }

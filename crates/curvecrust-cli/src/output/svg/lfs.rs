@@ -4,7 +4,7 @@ use super::frame::{Frame, LEGEND};
 use super::{Data, open};
 use crate::output::Number;
 use curvecrust::DVec2;
-use curvecrust::medial_axis::Measured;
+use curvecrust::medial_axis::MeasuredCurve;
 use std::io::{self, Write};
 
 /// From small to large, darker to lighter.
@@ -21,7 +21,11 @@ const STEPS: u8 = 8;
 const LIGHTEST: u8 = 4 * STEPS;
 
 /// Writes an open group.
-pub(super) fn write(out: &mut dyn Write, measured: &Measured, frame: &Frame) -> io::Result<()> {
+pub(super) fn write(
+    out: &mut dyn Write,
+    measured: &MeasuredCurve,
+    frame: &Frame,
+) -> io::Result<()> {
     let dense = measured.dense();
     let finite = || {
         measured

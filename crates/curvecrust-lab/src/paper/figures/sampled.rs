@@ -10,7 +10,7 @@ use curvecrust::DVec2;
 use curvecrust::curve::DenseCurve;
 use curvecrust::evaluate::EdgeComparison;
 use curvecrust::geometry::Segment;
-use curvecrust::medial_axis::{Measured, MedialAxis};
+use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
 use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{Condition, sample_as_published};
 
@@ -168,11 +168,11 @@ fn named<'a>(models: &'a [Model], name: &str) -> anyhow::Result<&'a Model> {
 
 fn sampling(
     model: &Model,
-    measured: &Measured,
+    measured: &MeasuredCurve,
     name: &str,
     condition: Condition,
 ) -> anyhow::Result<Sampling> {
-    let samples = sample_as_published(measured, condition);
+    let samples = sample_as_published(measured, condition).samples;
     let points = samples.point_set()?;
     let found = hnn_crust(&points);
     let exact = EdgeComparison::new(&samples.manifold_boundary(), &found).is_exact();

@@ -1,8 +1,8 @@
-//! The greedy sampler: from each sample on to the farthest dense point that the condition allows.
+//! Sampling by conditions that are tested at dense points only, as the paper's authors do it.
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
 //! 2016, Section 8.2. The end of the interval from sample s0 advances one dense point at a time,
-//! and the condition is tested at the dense points inside. Where it first fails, [`sample_greedy`]
+//! and the condition is tested at the dense points inside. Where it first fails, [`sample_at_dense_points`]
 //! takes the dense point before, the last for which it held; the authors' program takes the failing
 //! one itself, and so does [`sample_as_published`], so that counts can be compared. A closed curve
 //! starts at its first dense point; its closing interval, back to the start, adds no sample.
@@ -16,11 +16,13 @@
 //! much, so only a few of the candidate ends are looked at.
 
 use curvecrust_curve::DenseComponent;
-use curvecrust_medial_axis::Measured;
+use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::Condition;
+use crate::gaps::Gaps;
 use crate::interval::Track;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
+use crate::sampling::Sampling;
 
 /// Samples every component of a curve greedily, from its first dense point.
 ///
@@ -28,16 +30,16 @@ use crate::sampled_curve::{ClosingInterval, SampledCurve};
 /// interval, but for the [closing interval](SampledCurve::closing_intervals) of closed components,
 /// which is tested and reported. [This module](self) says what that means between them.
 #[must_use]
-pub fn sample_greedy(measured: &Measured, condition: Condition) -> SampledCurve {
+pub fn sample_at_dense_points(measured: &MeasuredCurve, condition: Condition) -> Sampling {
     sample(measured, condition, Next::LastHolding)
 }
 
 /// Samples like the authors' program: each interval ends one dense point later than that of
-/// [`sample_greedy`], at the first for which the condition does not hold.
+/// [`sample_at_dense_points`], at the first for which the condition does not hold.
 ///
 /// For comparing counts with the published ones; the finer the discretisation, the less it matters.
 #[must_use]
-pub fn sample_as_published(measured: &Measured, condition: Condition) -> SampledCurve {
+pub fn sample_as_published(measured: &MeasuredCurve, condition: Condition) -> Sampling {
     sample(measured, condition, Next::FirstFailing)
 }
 
@@ -48,7 +50,7 @@ enum Next {
     FirstFailing,
 }
 
-fn sample(measured: &Measured, condition: Condition, next: Next) -> SampledCurve {
+fn sample(measured: &MeasuredCurve, condition: Condition, next: Next) -> Sampling {
     let mut sampled = SampledCurve::default();
     for (index, component) in measured.dense().components().iter().enumerate() {
         let DenseComponent { range, closed } = component;
@@ -66,7 +68,7 @@ fn sample(measured: &Measured, condition: Condition, next: Next) -> SampledCurve
         let samples = positions.iter().map(|&position| range.start + position);
         sampled.push_component(measured.dense(), samples, *closed);
     }
-    sampled
+    Sampling::new(measured, &Gaps::of(measured), sampled, Some(condition))
 }
 
 /// The positions of the samples, the first of which is 0, on the first `count` of a track.
@@ -93,7 +95,7 @@ fn walk(track: &Track, condition: Condition, count: usize, next: Next) -> Vec<us
 mod tests {
     use super::*;
     use curvecrust_curve::Curve;
-    use curvecrust_medial_axis::{Discretisation, Estimator, measure};
+    use curvecrust_medial_axis::{Discretisation, Estimator, MeasureOptions, measure_with};
     use proptest::prelude::*;
 
     /// The definition: one dense point at a time.
@@ -110,6 +112,15 @@ mod tests {
             }
         }
         positions
+    }
+
+    fn per_segment(curve: &Curve, points: u32) -> MeasuredCurve {
+        let options = MeasureOptions {
+            discretisation: Discretisation::PerSegment(points),
+            estimator: Estimator::ShrinkingBall,
+            ..MeasureOptions::default()
+        };
+        measure_with(curve, &options).unwrap()
     }
 
     /// A smooth closed curve through points at wavy distances from the origin.
@@ -133,20 +144,21 @@ mod tests {
     fn a_tiny_bound_takes_every_point_or_every_other() {
         let arch = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0").unwrap();
         for gaps in [2, 3, 20, 21] {
-            let discretisation = Discretisation::PerSegment(gaps);
-            let measured =
-                measure(&arch, discretisation, Estimator::ShrinkingBall, &|_, _| {}).unwrap();
+            let measured = per_segment(&arch, gaps);
             let last = measured.dense().len() - 1;
             for condition in [
                 Condition::epsilon(1e-9).unwrap(),
                 Condition::rho(1e-9).unwrap(),
             ] {
-                let greedy = sample_greedy(&measured, condition);
-                assert_eq!(greedy.dense_indices(), (0..=last).collect::<Vec<_>>());
+                let sampling = sample_at_dense_points(&measured, condition);
+                assert_eq!(
+                    sampling.samples.dense_indices(),
+                    (0..=last).collect::<Vec<_>>()
+                );
                 let mut expected: Vec<usize> = (0..=last).step_by(2).collect();
                 expected.extend((last % 2 == 1).then_some(last));
                 let published = sample_as_published(&measured, condition);
-                assert_eq!(published.dense_indices(), expected);
+                assert_eq!(published.samples.dense_indices(), expected);
             }
         }
     }
@@ -161,8 +173,7 @@ mod tests {
             limit in 0.001..0.05f64,
         ) {
             let curve = wavy(&radii);
-            let discretisation = Discretisation::PerSegment(per_segment);
-            let measured = measure(&curve, discretisation, Estimator::ShrinkingBall, &|_, _| {}).unwrap();
+            let measured = self::per_segment(&curve, per_segment);
             let range = measured.dense().components()[0].range.clone();
             let track = Track::new(&measured, range.clone(), true);
             for condition in [Condition::epsilon(bound).unwrap(), Condition::rho(bound).unwrap()] {
