@@ -1,9 +1,33 @@
-//! Curve reconstruction with many fewer samples.
+//! Points in, ordered curves out; and smooth curves sampled as sparsely as a theorem allows.
 //!
-//! From a smooth curve to samples as sparse as a theorem allows, and from bare points back to the
-//! curve: an implementation of S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction
-//! with Many Fewer Samples*, SGP 2016. This crate re-exports the others; depend on one of them alone
-//! if it is all you need.
+//! ```
+//! let points = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+//! for curve in curvecrust::reconstruct(points)? {
+//!     println!("{} {:?}", curve.is_closed(), curve.points());
+//! }
+//! # Ok::<(), curvecrust::Error>(())
+//! ```
+//!
+//! [`reconstruct`](fn@reconstruct) takes anything that iterates over points and returns [`Curves`]:
+//! each an open or closed [`Polyline`] with its points in order, their indices in the input, and how
+//! closed ones lie inside each other. [`reconstruct_with`] takes [`ReconstructOptions`]: another
+//! algorithm, known ends, equal points.
+//!
+//! [`sample`] goes the other way, from a smooth curve to samples from which it can be reconstructed:
+//!
+//! ```
+//! use curvecrust::curve::Curve;
+//!
+//! let curve = Curve::from_path_data("M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S -30 20 0 0 Z")?;
+//! let samples = curvecrust::sample(&curve, 0.9)?;
+//! let curves = curvecrust::reconstruct(samples.points())?;
+//! assert!(curves.polylines()[0].is_closed());
+//! # Ok::<(), curvecrust::Error>(())
+//! ```
+//!
+//! This crate implements S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many
+//! Fewer Samples*, SGP 2016, and goes beyond it. It re-exports the crates that do the work; depend on
+//! one of them alone if it is all you need:
 //!
 //! | module | what for |
 //! |---|---|
@@ -11,28 +35,20 @@
 //! | [`curve`] | smooth curves, from SVG or analytic, and their dense points |
 //! | [`voronoi`] | Delaunay triangulation and Voronoi diagram |
 //! | [`medial_axis`] | medial axis, local feature size, reach |
-//! | [`sampling`] | samples under the epsilon and the rho condition |
-//! | [`reconstruct`] | HNN-Crust, NN-Crust, Crust and their relatives |
+//! | [`sampling`] | samples under the epsilon and the rho condition, and how good given samples are |
+//! | [`mod@reconstruct`] | least detour, HNN-Crust, NN-Crust, Crust and their relatives |
 //! | [`evaluate`] | edges against the truth, Hausdorff distance |
 //!
-//! From a curve to samples, and back:
-//!
-//! ```
-//! use curvecrust::curve::Curve;
-//! use curvecrust::evaluate::EdgeComparison;
-//! use curvecrust::reconstruct::hnn_crust;
-//! use curvecrust::sampling::{Condition, sample_curve};
-//!
-//! let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
-//! let curve = Curve::from_path_data(d)?;
-//! let samples = sample_curve(&curve, Condition::rho(0.9)?)?.samples;
-//!
-//! // What the reconstruction sees is bare points.
-//! let edges = hnn_crust(&samples.point_set()?);
-//! assert!(EdgeComparison::new(&samples.manifold_boundary(), &edges).is_exact());
-//! assert!(edges.chains()[0].is_closed());
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! # Features
+//! All are off by default: `geo-types` (its points in, polygons with holes and lines out), `mint` (its
+//! points in) and `serde` (results as data).
+
+mod curves;
+mod error;
+#[cfg(feature = "geo-types")]
+mod geo;
+mod points;
+mod sample;
 
 pub use curvecrust_curve as curve;
 pub use curvecrust_evaluate as evaluate;
@@ -41,5 +57,10 @@ pub use curvecrust_medial_axis as medial_axis;
 pub use curvecrust_reconstruct as reconstruct;
 pub use curvecrust_sampling as sampling;
 pub use curvecrust_voronoi as voronoi;
+pub use glam;
 
+pub use curves::{Curves, Polyline, ReconstructOptions, reconstruct, reconstruct_with};
+pub use error::Error;
 pub use glam::DVec2;
+pub use points::IntoPoint;
+pub use sample::sample;
