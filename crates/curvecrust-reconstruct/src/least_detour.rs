@@ -1,23 +1,25 @@
-//! Least detour: the curve that goes from point to point with the shortest edges and the smallest
-//! detours. Of this project.
+//! Least detour: a minimum-cost triangle-free 2-matching of Delaunay edges, with penalties for free ends,
+//! improved by Lin-Kernighan moves. Of this project; `docs/method.md` says more.
 //!
-//! Every point has two slots for partners. A set of edges costs the sum of
-//! - their lengths,
-//! - the **detour** at every point v with partners p and q, |vp| + |vq| - |pq|: nothing where the
-//!   curve goes straight on, twice the shorter edge where it turns back,
-//! - a **price** for every slot that stays open, 2.25 times the length of edge that is to be expected
-//!   there; less where an even run of points stops, and at a point that no other would go on to.
+//! A 2-matching is a set of edges with at most two at each point (Edmonds 1965), and a triangle-free one
+//! has no cycle of three edges (D. Hartvigsen, "Extensions of Matching Theory", thesis, Carnegie Mellon
+//! University, 1984). A point with fewer than two edges has free ends. A 2-matching costs the sum of
+//! - the **lengths** of its edges,
+//! - the **detour** at every point v with edges to p and q, |vp| + |vq| - |pq|: nothing where the curve
+//!   goes straight on, twice the shorter edge where it turns back,
+//! - the **penalty** of every free end, 2.25 times the expected length of an edge there; less at the end
+//!   of an even run of points, and at an isolated point to which no curve nearby continues.
 //!
-//! Sought is the cheapest set of Delaunay edges without triangles. Lengths prefer neighbours, detours
-//! prefer to go on (good continuation, as perception does), and prices let a curve end
-//! where going on would cost more. No demand is made that there be one curve or that it be closed.
+//! Sought is the cheapest one. Lengths express proximity, detours good continuation, and penalties let
+//! a curve end where going on would cost more. The result may be any number of curves, open or closed.
+//! Since a detour depends on two edges, this is no linear matching problem, and it is not solved exactly:
 //!
-//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that go on almost straight at
+//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that continue almost straight at
 //!    both ends, stay.
-//! 2. **Complete.** Other edges are added, the shortest first, while both ends have an open slot and
-//!    the edge is shorter than the prices of both.
-//! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve joins, as long as
-//!    that lowers the cost.
+//! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a free end
+//!    and the edge is shorter than the penalties of both.
+//! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve added edges (Lin,
+//!    Kernighan 1973), as long as that lowers the cost.
 //!
 //! # What is known
 //! - Edges never cross: they are Delaunay.
@@ -28,19 +30,20 @@
 //! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
 //!   edges (SGP 2016, Theorem 3), the beta-skeleton with beta = 1.7 too (Amenta, Bern, Eppstein 1998),
 //!   whose edges are all in the one-step crust, and by Lemma 9 of SGP 2016 they turn by less than
-//!   step 1 allows: all are certain, and leave no slot.
+//!   step 1 allows. So all true edges are certified, and no end is free.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!
 //! Cost: that of the Delaunay triangulation, O(n log n), plus a bounded search for each point that
-//! step 1 leaves open or whose surroundings change.
+//! certified edges do not saturate or whose surroundings change.
 
 mod candidates;
 mod certificates;
+mod constants;
 mod exchange;
 mod explain;
-mod joins;
-mod prices;
+mod matching;
+mod penalties;
 
 use std::collections::VecDeque;
 
@@ -50,17 +53,16 @@ use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
 use crate::error::ReconstructError;
+use crate::explanation::Explanation;
 use crate::hnn_crust::HnnCrust;
 use crate::termini;
 use candidates::Candidates;
-use certificates::{Certificates, Crust};
+use certificates::{CrustGraph, HnnGraph};
 use exchange::{Path, Search, Step};
-use joins::{Joins, NONE};
-use prices::Surroundings;
+use matching::{Matching, NONE};
+use penalties::PenaltyModel;
 
-pub use explain::{ExplainedEdge, Explanation, OpenEnd, Reason, Rejected};
-
-/// The edges of least length and detour.
+/// The edges of the cheapest triangle-free 2-matching that the search finds.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
@@ -100,20 +102,20 @@ impl Reconstructor for LeastDetour {
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {
-        Work::done(points, &[], |work| work.edges())
+        Solver::solve(points, &[], |solved| solved.edges())
     }
 
-    /// A terminus has one slot.
+    /// A terminus has at most one edge.
     fn reconstruct_open(
         &self,
         points: &PointSet,
         termini: &[PointId],
     ) -> Result<EdgeSet, ReconstructError> {
         termini::check(points, termini)?;
-        Ok(Work::done(points, termini, |work| work.edges()))
+        Ok(Solver::solve(points, termini, |solved| solved.edges()))
     }
 
-    /// Always some.
+    /// Always `Some`.
     ///
     /// ```
     /// use curvecrust_geometry::{DVec2, PointSet};
@@ -127,8 +129,8 @@ impl Reconstructor for LeastDetour {
     /// assert_eq!(why.edges.len(), 6);
     /// assert_eq!(why.edges[0].reason, Reason::Completed);
     /// assert_eq!(why.edges[1].reason, Reason::Certified);
-    /// // Point 8 is an outlier and dear to join: even the other row would cost less.
-    /// let end = why.open.iter().find(|end| end.point == 7.into()).unwrap();
+    /// // Point 8 is an outlier and costs much to join: even the other row would cost less.
+    /// let end = why.free_ends.iter().find(|end| end.point == 7.into()).unwrap();
     /// let rejected = end.rejected.unwrap();
     /// assert_eq!(rejected.partner, 4.into());
     /// assert!(rejected.cost > 0.0);
@@ -140,24 +142,26 @@ impl Reconstructor for LeastDetour {
         termini: &[PointId],
     ) -> Result<Option<Explanation>, ReconstructError> {
         termini::check(points, termini)?;
-        Ok(Some(Work::done(points, termini, Explanation::new)))
+        Ok(Some(Solver::solve(points, termini, |solved| {
+            solved.explanation()
+        })))
     }
 }
 
 /// What the steps work on: the points in Hilbert order.
-struct Work<'a> {
+struct Solver<'a> {
     points: &'a PointSet,
-    /// What they are called by the caller.
+    /// Their ids in the caller's order.
     ids: &'a [PointId],
     candidates: Candidates,
-    joins: Joins<'a>,
+    matching: Matching<'a>,
     /// The edges that step 2 added.
     completed: EdgeSet,
 }
 
-impl Work<'_> {
-    /// All steps, and what becomes of their result.
-    fn done<R>(points: &PointSet, termini: &[PointId], result: impl FnOnce(Work<'_>) -> R) -> R {
+impl Solver<'_> {
+    /// Takes all steps, and returns what `result` makes of them.
+    fn solve<R>(points: &PointSet, termini: &[PointId], result: impl FnOnce(Solver<'_>) -> R) -> R {
         let mut is_named = vec![false; points.len()];
         for id in termini {
             is_named[id.index()] = true;
@@ -168,57 +172,62 @@ impl Work<'_> {
         let delaunay = Delaunay::new(points);
         let candidates = Candidates::new(points, &delaunay);
         let hnn = HnnCrust::MUTUAL.with_termini(points, &termini);
-        let certificates = Certificates::new(points, &hnn, &is_terminus);
-        let mut joins = Joins::new(points.points(), is_terminus.clone());
-        for [v, w] in certificates.certain(&delaunay) {
-            joins.certify(v, w);
+        let hnn = HnnGraph::new(points, &hnn, &is_terminus);
+        let mut matching = Matching::new(points.points(), is_terminus.clone());
+        for [v, w] in hnn.certified(&delaunay) {
+            matching.certify(v, w);
         }
-        let crust = Crust::new(points, &delaunay, |v| joins.is_settled(v));
-        let surroundings = Surroundings {
+        let crust = CrustGraph::new(points, &delaunay, |v| matching.is_saturated(v));
+        let model = PenaltyModel {
             points,
             candidates: &candidates,
-            hnn: &certificates,
+            hnn: &hnn,
             crust: &crust,
-            joins: &joins,
+            matching: &matching,
         };
-        let prices = surroundings.prices();
-        joins.set_prices(prices);
-        let mut work = Work {
+        let penalties = model.penalties();
+        matching.set_penalties(penalties);
+        let mut solver = Solver {
             points,
             ids,
             candidates,
-            joins,
+            matching,
             completed: EdgeSet::default(),
         };
-        work.complete();
-        work.exchange();
-        result(work)
+        solver.complete();
+        solver.exchange();
+        result(solver)
     }
 
-    /// The edges as the caller knows them.
+    /// The edges in the caller's ids.
     fn edges(&self) -> EdgeSet {
-        let edges = self.joins.edges();
-        let edges = edges.edges().iter().filter_map(|&edge| self.named(edge));
+        let edges = self.matching.edges();
+        let edges = edges
+            .edges()
+            .iter()
+            .filter_map(|&edge| self.in_callers_ids(edge));
         EdgeSet::new(self.points.len(), edges)
     }
 
-    /// The edge between the same points by the names that the caller has for them.
-    fn named(&self, edge: Edge) -> Option<Edge> {
+    /// The edge in the caller's ids.
+    fn in_callers_ids(&self, edge: Edge) -> Option<Edge> {
         let [a, b] = edge.ends().map(|v| self.ids[v.index()]);
         Edge::new(a, b)
     }
 
-    /// Adds edges between open slots, the shortest first.
+    /// Adds edges between free ends, the shortest first.
     fn complete(&mut self) {
         let points = self.points.points();
         let Self {
-            joins, candidates, ..
+            matching,
+            candidates,
+            ..
         } = self;
-        let is_open = |v: u32| joins.is_open(v);
+        let is_free = |v: u32| matching.has_free_end(v);
         let mut edges: Vec<(f64, [u32; 2])> = Vec::new();
-        for v in (0u32..).take(points.len()).filter(|&v| is_open(v)) {
+        for v in (0u32..).take(points.len()).filter(|&v| is_free(v)) {
             for &w in candidates.of(v) {
-                if v < w && is_open(w) {
+                if v < w && is_free(w) {
                     edges.push((
                         points[v as usize].distance_squared(points[w as usize]),
                         [v, w],
@@ -241,24 +250,25 @@ impl Work<'_> {
                 .then_with(|| by_coordinates(q, s))
         });
         for (_, [v, w]) in edges {
-            let is_possible = joins.is_open(v) && joins.is_open(w) && !joins.are_joined(v, w);
-            if is_possible
-                && !joins.would_close_triangle(v, w)
-                && joins.length(v, w) < joins.price(v) + joins.price(w)
+            let are_free = matching.has_free_end(v) && matching.has_free_end(w);
+            if are_free
+                && !matching.contains(v, w)
+                && !matching.would_close_triangle(v, w)
+                && matching.length(v, w) < matching.penalty(v) + matching.penalty(w)
             {
-                joins.join(v, w);
+                matching.add(v, w);
             }
         }
-        self.completed = self.joins.edges();
+        self.completed = self.matching.edges();
     }
 
     /// Applies exchanges that lower the cost until there is none.
     ///
-    /// Ends: the cost falls each time, by more than rounding could feign.
+    /// This ends, since each exchange lowers the cost by more than rounding could feign.
     fn exchange(&mut self) {
         let mut queue: Vec<u32> = (0u32..)
             .take(self.points.len())
-            .filter(|&v| !self.joins.is_settled(v))
+            .filter(|&v| !self.matching.is_saturated(v))
             .collect();
         queue.sort_unstable_by(|&v, &w| self.candidates.compare(self.points, v, w));
         let mut queue = VecDeque::from(queue);
@@ -268,14 +278,17 @@ impl Work<'_> {
         }
         while let Some(v) = queue.pop_front() {
             is_queued[v as usize] = false;
-            let found = Search::below(0.0, &mut self.joins, &self.candidates).from(v);
+            let found = Search::below(0.0, &mut self.matching, &self.candidates).from(v);
             let Some(exchange) = found.best() else {
                 continue;
             };
             for touched in self.apply(&exchange.path) {
-                let around = self.joins.partners(touched);
+                let around = self.matching.partners(touched);
                 for near in around.into_iter().chain([touched]) {
-                    if near != NONE && !is_queued[near as usize] && !self.joins.is_settled(near) {
+                    if near != NONE
+                        && !is_queued[near as usize]
+                        && !self.matching.is_saturated(near)
+                    {
                         is_queued[near as usize] = true;
                         queue.push_back(near);
                     }
@@ -284,20 +297,20 @@ impl Work<'_> {
         }
     }
 
-    /// The points that the path touches, in its order.
+    /// Takes the steps of a path, and returns the points that it touches, in its order.
     fn apply(&mut self, path: &Path) -> Vec<u32> {
         for step in path.steps() {
-            if let Step::Part(v, w) = *step {
-                self.joins.part(v, w);
+            if let Step::Remove(v, w) = *step {
+                self.matching.remove(v, w);
             }
         }
         for step in path.steps() {
-            if let Step::Join(v, w) = *step {
-                self.joins.join(v, w);
+            if let Step::Add(v, w) = *step {
+                self.matching.add(v, w);
             }
         }
         let ends = path.steps().iter().flat_map(|step| match *step {
-            Step::Part(v, w) | Step::Join(v, w) => [v, w],
+            Step::Remove(v, w) | Step::Add(v, w) => [v, w],
         });
         ends.collect()
     }

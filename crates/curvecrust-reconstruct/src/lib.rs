@@ -49,6 +49,7 @@ pub mod beta_skeleton;
 pub mod crust;
 pub mod error;
 mod exact;
+pub mod explanation;
 pub mod hnn_crust;
 pub mod least_detour;
 pub mod neighbours;
@@ -69,10 +70,9 @@ pub use algorithm::{ALGORITHMS, AlgorithmInfo, Condition, Guarantee, Reconstruct
 pub use beta_skeleton::{Beta, BetaSkeleton, beta_skeleton};
 pub use crust::{Crust, crust};
 pub use error::ReconstructError;
+pub use explanation::{ExplainedEdge, Explanation, FreeEnd, Reason, Rejected};
 pub use hnn_crust::{HnnCrust, Keep, hnn_crust};
-pub use least_detour::{
-    ExplainedEdge, Explanation, LeastDetour, OpenEnd, Reason, Rejected, least_detour,
-};
+pub use least_detour::{LeastDetour, least_detour};
 pub use nn_crust::{NnCrust, nn_crust};
 pub use one_step_crust::{CrustAndSkeleton, OneStepCrust, one_step_crust};
 pub use reconstruction::{NestedChain, Reconstruction};

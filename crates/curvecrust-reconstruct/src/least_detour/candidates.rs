@@ -23,8 +23,8 @@ impl Candidates {
     /// The Delaunay edges whose dual is longer than a point: they are the same for every
     /// triangulation of cocircular points.
     pub(super) fn new(points: &PointSet, delaunay: &Delaunay) -> Self {
-        let wanted = delaunay.edges().filter(|dual| has_length(points, dual));
-        let edges: Vec<[u32; 2]> = wanted.map(|dual| dual.ends.map(u32::from)).collect();
+        let duals = delaunay.edges().filter(|dual| has_length(points, dual));
+        let edges: Vec<[u32; 2]> = duals.map(|dual| dual.ends.map(u32::from)).collect();
         let both_ways = || edges.iter().flat_map(|&[a, b]| [(a, b), (b, a)]);
         let mut first = vec![0; points.len() + 1];
         for (from, _) in both_ways() {

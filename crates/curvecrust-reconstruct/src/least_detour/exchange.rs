@@ -1,35 +1,29 @@
 //! Exchanges of edges along alternating paths, after S. Lin, B. W. Kernighan, "An Effective Heuristic
-//! Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here without the
-//! demand that the result be one tour, so that every alternating path is an exchange.
+//! Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here for 2-matchings,
+//! so that every alternating path is an exchange: the result need not be one tour.
 //!
-//! They go on with a path while what it has parted outweighs what it has joined. Here what it parts
-//! next counts too: a long edge in the place of two others would not be found otherwise.
+//! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on; t2i is
+//! its end. They continue a path while its gain, what is removed less what is added, is positive. Here
+//! the next removal counts too: a long edge in the place of two others would not be found otherwise.
+//! The cost of a path is what it adds to the cost of the matching: minus its gain.
 
 use super::candidates::Candidates;
-use super::joins::{Joins, NONE};
+use super::constants::{BREADTH, DEPTH, ROUNDING};
+use super::matching::{Matching, NONE};
 
-/// In how many ways a path is continued after each of its joins, the first join first: the cheapest.
-const BREADTH: [usize; DEPTH] = [5, 3, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1];
-/// The most of them.
+/// The largest breadth.
 const BROADEST: usize = BREADTH[0];
-/// How many joins a path may have: three include the moves known as 2-opt, 3-opt and or-opt, but one
-/// strand after another is put right only by many.
-const DEPTH: usize = 12;
-/// Partings and joins of the longest path: it may begin with two partings.
+/// The number of steps of the longest path: it may begin with two removals.
 const LONGEST: usize = 2 * DEPTH + 2;
-
-/// An exchange lowers the cost if it does so by more than this fraction of all that is added up for it:
-/// more than rounding could feign, so that no exchange is ever undone by another.
-const ROUNDING: f64 = 1e-12;
 
 /// A step of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    Part(u32, u32),
-    Join(u32, u32),
+    Remove(u32, u32),
+    Add(u32, u32),
 }
 
-/// Alternating partings and joins.
+/// Edges that are removed and added alternately.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Path {
     steps: [Step; LONGEST],
@@ -38,7 +32,7 @@ pub(super) struct Path {
 
 impl Path {
     const EMPTY: Self = Self {
-        steps: [Step::Part(NONE, NONE); LONGEST],
+        steps: [Step::Remove(NONE, NONE); LONGEST],
         len: 0,
     };
 
@@ -51,18 +45,18 @@ impl Path {
         self.len += 1;
     }
 
-    fn parts(&self, v: u32, w: u32) -> bool {
+    fn removes(&self, v: u32, w: u32) -> bool {
         let steps = self.steps().iter();
-        let mut parted = steps.filter_map(|step| match *step {
-            Step::Part(a, b) => Some([a, b]),
-            Step::Join(..) => None,
+        let mut removed = steps.filter_map(|step| match *step {
+            Step::Remove(a, b) => Some([a, b]),
+            Step::Add(..) => None,
         });
-        parted.any(|ends| ends == [v, w] || ends == [w, v])
+        removed.any(|ends| ends == [v, w] || ends == [w, v])
     }
 
-    fn joins(&self, v: u32, w: u32) -> bool {
-        let wanted = [Step::Join(v, w), Step::Join(w, v)];
-        self.steps().iter().any(|step| wanted.contains(step))
+    fn adds(&self, v: u32, w: u32) -> bool {
+        let either = [Step::Add(v, w), Step::Add(w, v)];
+        self.steps().iter().any(|step| either.contains(step))
     }
 }
 
@@ -73,36 +67,42 @@ pub(super) struct Exchange {
     pub(super) cost: f64,
 }
 
-/// The search for the exchange that costs least among those that begin in one place.
+/// The search for the cheapest exchange among those that begin in one place.
 pub(super) struct Search<'a, 'b> {
-    joins: &'a mut Joins<'b>,
+    matching: &'a mut Matching<'b>,
     candidates: &'a Candidates,
     path: Path,
     best: Exchange,
 }
 
-/// A path with an end that seeks a partner, and perhaps another in its first point.
+/// A path whose end still seeks a partner, and perhaps its first point too: their free ends are pending.
 #[derive(Clone, Copy)]
-struct Hands {
-    base: Option<u32>,
+struct OpenPath {
+    /// The first point, if it seeks a partner.
+    t1: Option<u32>,
+    /// t2i.
     end: u32,
-    /// How many joins led here.
-    joins: usize,
-    /// What the path adds to the cost, with no price for the slots in hand.
+    /// The number of edges that the path adds.
+    added: usize,
+    /// What the path adds to the cost, without penalties for pending free ends.
     cost: f64,
-    /// Of the lengths, detours and prices that add up to it.
-    size: f64,
+    /// The sum of all lengths, detours and penalties, removed or added, from which the cost results.
+    magnitude: f64,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
     /// Among exchanges that cost less than `limit`.
-    pub(super) fn below(limit: f64, joins: &'a mut Joins<'b>, candidates: &'a Candidates) -> Self {
+    pub(super) fn below(
+        limit: f64,
+        matching: &'a mut Matching<'b>,
+        candidates: &'a Candidates,
+    ) -> Self {
         let best = Exchange {
             path: Path::EMPTY,
             cost: limit,
         };
         Self {
-            joins,
+            matching,
             candidates,
             path: Path::EMPTY,
             best,
@@ -114,105 +114,106 @@ impl<'a, 'b> Search<'a, 'b> {
         (self.best.path.len > 0).then_some(self.best)
     }
 
-    /// Exchanges that begin at a point: by parting it from a partner that is not certified, or from
-    /// both, or by finding one for an open slot.
+    /// Exchanges that begin at a point: they remove one of its edges that are not certified, or both, or
+    /// add one at a free end.
     pub(super) fn from(mut self, v: u32) -> Self {
-        let partners = self.joins.partners(v);
-        let may_go = |p: u32, joins: &Joins| p != NONE && !joins.is_certified(v, p);
+        let partners = self.matching.partners(v);
+        let is_removable = |p: u32, matching: &Matching| p != NONE && !matching.is_certified(v, p);
         for partner in partners {
-            if may_go(partner, self.joins) {
-                self = self.without(v, partner);
+            if is_removable(partner, self.matching) {
+                self = self.removing(v, partner);
             }
         }
-        if partners.into_iter().all(|p| may_go(p, self.joins)) {
+        if partners.into_iter().all(|p| is_removable(p, self.matching)) {
             let [p, q] = partners;
-            self = self.alone(v, [p, q]).alone(v, [q, p]);
+            self = self.isolating(v, [p, q]).isolating(v, [q, p]);
         }
-        self.filling(v)
+        self.adding_at(v)
     }
 
-    /// Exchanges that begin by parting a point from both partners, which are then in hand.
-    fn alone(mut self, v: u32, [p, q]: [u32; 2]) -> Self {
-        let length = self.joins.length(v, p) + self.joins.length(v, q);
-        let cost = |joins: &Joins, in_hand| {
-            joins.cost(v, 0) + joins.cost(p, in_hand) + joins.cost(q, in_hand)
+    /// Exchanges that begin by removing both edges of a point; its partners seek others.
+    fn isolating(mut self, v: u32, [p, q]: [u32; 2]) -> Self {
+        let length = self.matching.length(v, p) + self.matching.length(v, q);
+        let cost = |matching: &Matching, pending| {
+            matching.cost(v, 0) + matching.cost(p, pending) + matching.cost(q, pending)
         };
-        let before = cost(self.joins, 0);
+        let before = cost(self.matching, 0);
         for partner in [p, q] {
-            self.joins.part(v, partner);
-            self.path.push(Step::Part(v, partner));
+            self.matching.remove(v, partner);
+            self.path.push(Step::Remove(v, partner));
         }
-        let after = cost(self.joins, 1);
-        let hands = Hands {
-            base: Some(p),
+        let after = cost(self.matching, 1);
+        let open = OpenPath {
+            t1: Some(p),
             end: q,
-            joins: 0,
+            added: 0,
             cost: after - before - length,
-            size: length + before + after,
+            magnitude: length + before + after,
         };
-        self.leave_open(hands);
-        self.extend(hands);
+        self.stop(open);
+        self.extend(open);
         self.path.len -= 2;
         for partner in [p, q] {
-            self.joins.join(v, partner);
+            self.matching.add(v, partner);
         }
         self
     }
 
-    /// Exchanges that begin by parting two points that are joined.
-    pub(super) fn without(mut self, v: u32, w: u32) -> Self {
-        let length = self.joins.length(v, w);
-        let before = self.joins.cost(v, 0) + self.joins.cost(w, 0);
-        self.joins.part(v, w);
-        self.path.push(Step::Part(v, w));
-        let after = self.joins.cost(v, 1) + self.joins.cost(w, 1);
-        let hands = Hands {
-            base: Some(v),
-            end: w,
-            joins: 0,
+    /// Exchanges that begin by removing the edge t1 t2.
+    pub(super) fn removing(mut self, t1: u32, t2: u32) -> Self {
+        let length = self.matching.length(t1, t2);
+        let before = self.matching.cost(t1, 0) + self.matching.cost(t2, 0);
+        self.matching.remove(t1, t2);
+        self.path.push(Step::Remove(t1, t2));
+        let after = self.matching.cost(t1, 1) + self.matching.cost(t2, 1);
+        let open = OpenPath {
+            t1: Some(t1),
+            end: t2,
+            added: 0,
             cost: after - before - length,
-            size: length + before + after,
+            magnitude: length + before + after,
         };
-        self.leave_open(hands);
-        self.extend(hands);
+        self.stop(open);
+        self.extend(open);
         self.path.len -= 1;
-        self.joins.join(v, w);
+        self.matching.add(t1, t2);
         self
     }
 
-    /// Exchanges that begin by filling an open slot of a point; none if it has none.
-    pub(super) fn filling(mut self, v: u32) -> Self {
-        if self.joins.is_open(v) {
-            let price = self.to_leave_open(v, 1);
-            self.extend(Hands {
-                base: None,
+    /// Exchanges that begin by adding an edge at a free end of a point; none if it has none.
+    pub(super) fn adding_at(mut self, v: u32) -> Self {
+        if self.matching.has_free_end(v) {
+            let penalty = self.pending_penalty(v, 1);
+            self.extend(OpenPath {
+                t1: None,
                 end: v,
-                joins: 0,
-                cost: -price,
-                size: self.joins.cost(v, 0),
+                added: 0,
+                cost: -penalty,
+                magnitude: self.matching.cost(v, 0),
             });
         }
         self
     }
 
-    /// Ends the path: the slots in hand stay open.
-    fn leave_open(&mut self, hands: Hands) {
-        let Hands { base, end, .. } = hands;
-        let other = base.filter(|&base| base != end);
-        let at_end = if base == Some(end) { 2 } else { 1 };
-        let prices =
-            self.to_leave_open(end, at_end) + other.map_or(0.0, |base| self.to_leave_open(base, 1));
-        let size = self.joins.cost(end, 0) + other.map_or(0.0, |base| self.joins.cost(base, 0));
-        self.keep(hands.cost + prices, hands.size + size);
+    /// Ends the path: its pending ends stay free.
+    fn stop(&mut self, open: OpenPath) {
+        let OpenPath { t1, end, .. } = open;
+        let other = t1.filter(|&t1| t1 != end);
+        let at_end = if t1 == Some(end) { 2 } else { 1 };
+        let penalties =
+            self.pending_penalty(end, at_end) + other.map_or(0.0, |t1| self.pending_penalty(t1, 1));
+        let magnitude =
+            self.matching.cost(end, 0) + other.map_or(0.0, |t1| self.matching.cost(t1, 0));
+        self.keep(open.cost + penalties, open.magnitude + magnitude);
     }
 
-    /// What it costs to leave slots open that are in hand.
-    fn to_leave_open(&self, v: u32, in_hand: usize) -> f64 {
-        self.joins.cost(v, 0) - self.joins.cost(v, in_hand)
+    /// What it costs if pending ends of a point stay free.
+    fn pending_penalty(&self, v: u32, pending: usize) -> f64 {
+        self.matching.cost(v, 0) - self.matching.cost(v, pending)
     }
 
-    fn keep(&mut self, cost: f64, size: f64) {
-        if cost + ROUNDING * size < self.best.cost {
+    fn keep(&mut self, cost: f64, magnitude: f64) {
+        if cost + ROUNDING * magnitude < self.best.cost {
             self.best = Exchange {
                 path: self.path,
                 cost,
@@ -220,31 +221,31 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Joins the end to each of its candidates, which ends the path in an open slot or else takes the
-    /// place of a partner.
-    fn extend(&mut self, hands: Hands) {
+    /// Adds edges from the end to each of its candidates. The path stops at a free end there, or continues
+    /// by removing an edge of the candidate.
+    fn extend(&mut self, open: OpenPath) {
         let candidates = self.candidates;
-        let Some(&breadth) = BREADTH.get(hands.joins) else {
+        let Some(&breadth) = BREADTH.get(open.added) else {
             return;
         };
         let mut cheapest = Cheapest::new(breadth);
-        for &to in candidates.of(hands.end) {
-            if self.joins.are_joined(hands.end, to) || self.path.parts(hands.end, to) {
+        for &to in candidates.of(open.end) {
+            if self.matching.contains(open.end, to) || self.path.removes(open.end, to) {
                 continue;
             }
-            let cost = hands.cost + self.joins.length(hands.end, to);
-            if self.joins.is_open(to) {
-                if cost - self.joins.price(to) < self.best.cost {
-                    self.fill(hands, to);
+            let cost = open.cost + self.matching.length(open.end, to);
+            if self.matching.has_free_end(to) {
+                if cost - self.matching.penalty(to) < self.best.cost {
+                    self.stop_at(open, to);
                 }
-                if let Some(next) = self.passing(hands, to)
+                if let Some(next) = self.passing(open, to)
                     && next.cost < self.best.cost
                 {
                     cheapest.insert(to, next);
                 }
             } else {
-                for partner in self.joins.partners(to) {
-                    if let Some(next) = self.replacing(hands, to, partner)
+                for partner in self.matching.partners(to) {
+                    if let Some(next) = self.replacing(open, to, partner)
                         && next.cost < self.best.cost
                     {
                         cheapest.insert(to, next);
@@ -254,135 +255,138 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         for &(to, next) in cheapest.all() {
             if next.cost < self.best.cost {
-                self.follow(hands.end, to, next);
+                self.follow(open.end, to, next);
             }
         }
     }
 
-    /// Ends the path in an open slot, perhaps that of its base.
-    fn fill(&mut self, hands: Hands, to: u32) {
-        if self.joins.would_close_triangle(hands.end, to) {
+    /// Ends the path by an edge to a free end, perhaps that of t1.
+    fn stop_at(&mut self, open: OpenPath, to: u32) {
+        if self.matching.would_close_triangle(open.end, to) {
             return;
         }
-        let is_base = hands.base == Some(to);
-        let length = self.joins.length(hands.end, to);
-        let before = self.joins.cost(hands.end, 1) + self.joins.cost(to, usize::from(is_base));
-        self.joins.join(hands.end, to);
-        self.path.push(Step::Join(hands.end, to));
-        let after = self.joins.cost(hands.end, 0) + self.joins.cost(to, 0);
-        let left_open = hands.base.filter(|_| !is_base);
-        let price = left_open.map_or(0.0, |base| self.to_leave_open(base, 1));
-        let size = left_open.map_or(0.0, |base| self.joins.cost(base, 0));
+        let is_t1 = open.t1 == Some(to);
+        let length = self.matching.length(open.end, to);
+        let before = self.matching.cost(open.end, 1) + self.matching.cost(to, usize::from(is_t1));
+        self.matching.add(open.end, to);
+        self.path.push(Step::Add(open.end, to));
+        let after = self.matching.cost(open.end, 0) + self.matching.cost(to, 0);
+        let still_free = open.t1.filter(|_| !is_t1);
+        let penalty = still_free.map_or(0.0, |t1| self.pending_penalty(t1, 1));
+        let magnitude = still_free.map_or(0.0, |t1| self.matching.cost(t1, 0));
         self.keep(
-            hands.cost + length + after - before + price,
-            hands.size + length + after + before + size,
+            open.cost + length + after - before + penalty,
+            open.magnitude + length + after + before + magnitude,
         );
         self.path.len -= 1;
-        self.joins.part(hands.end, to);
+        self.matching.remove(open.end, to);
     }
 
-    /// What is in hand once the end has taken the place of a partner, which becomes the end; `None`
-    /// where it may not.
-    fn replacing(&mut self, hands: Hands, to: u32, partner: u32) -> Option<Hands> {
-        let Hands { base, end, .. } = hands;
+    /// The path once the edge from its end to a point has replaced the edge from there to a partner, which
+    /// is the next end; `None` where that is not allowed.
+    fn replacing(&mut self, open: OpenPath, to: u32, partner: u32) -> Option<OpenPath> {
+        let OpenPath { t1, end, .. } = open;
         // A terminus has one partner.
         if partner == NONE
             || partner == end
-            || self.joins.is_certified(to, partner)
-            || self.path.joins(to, partner)
+            || self.matching.is_certified(to, partner)
+            || self.path.adds(to, partner)
         {
             return None;
         }
-        let in_hand = usize::from(base == Some(partner));
-        let lengths = [self.joins.length(end, to), self.joins.length(to, partner)];
-        let before =
-            self.joins.cost(to, 0) + self.joins.cost(end, 1) + self.joins.cost(partner, in_hand);
-        self.joins.part(to, partner);
-        let is_possible = !self.joins.would_close_triangle(end, to);
-        self.joins.join(end, to);
-        let after = self.joins.cost(to, 0)
-            + self.joins.cost(end, 0)
-            + self.joins.cost(partner, in_hand + 1);
-        self.joins.part(end, to);
-        self.joins.join(to, partner);
-        is_possible.then(|| Hands {
-            base,
+        let pending = usize::from(t1 == Some(partner));
+        let lengths = [
+            self.matching.length(end, to),
+            self.matching.length(to, partner),
+        ];
+        let before = self.matching.cost(to, 0)
+            + self.matching.cost(end, 1)
+            + self.matching.cost(partner, pending);
+        self.matching.remove(to, partner);
+        let is_possible = !self.matching.would_close_triangle(end, to);
+        self.matching.add(end, to);
+        let after = self.matching.cost(to, 0)
+            + self.matching.cost(end, 0)
+            + self.matching.cost(partner, pending + 1);
+        self.matching.remove(end, to);
+        self.matching.add(to, partner);
+        is_possible.then(|| OpenPath {
+            t1,
             end: partner,
-            joins: hands.joins + 1,
-            cost: hands.cost + lengths[0] - lengths[1] + after - before,
-            size: hands.size + lengths[0] + lengths[1] + after + before,
+            added: open.added + 1,
+            cost: open.cost + lengths[0] - lengths[1] + after - before,
+            magnitude: open.magnitude + lengths[0] + lengths[1] + after + before,
         })
     }
 
-    /// What is in hand once the end has been joined to a point that is alone, which becomes the end;
-    /// `None` for another point.
-    fn passing(&mut self, hands: Hands, to: u32) -> Option<Hands> {
-        let Hands { base, end, .. } = hands;
-        if self.joins.open_slots(to) < 2 || base == Some(to) {
+    /// The path once it has an edge to an isolated point, which is the next end; `None` for other points.
+    fn passing(&mut self, open: OpenPath, to: u32) -> Option<OpenPath> {
+        let OpenPath { t1, end, .. } = open;
+        if self.matching.free_ends(to) < 2 || t1 == Some(to) {
             return None;
         }
-        let length = self.joins.length(end, to);
-        let before = self.joins.cost(end, 1) + self.joins.cost(to, 0);
-        self.joins.join(end, to);
-        let after = self.joins.cost(end, 0) + self.joins.cost(to, 1);
-        self.joins.part(end, to);
-        Some(Hands {
-            base,
+        let length = self.matching.length(end, to);
+        let before = self.matching.cost(end, 1) + self.matching.cost(to, 0);
+        self.matching.add(end, to);
+        let after = self.matching.cost(end, 0) + self.matching.cost(to, 1);
+        self.matching.remove(end, to);
+        Some(OpenPath {
+            t1,
             end: to,
-            joins: hands.joins + 1,
-            cost: hands.cost + length + after - before,
-            size: hands.size + length + after + before,
+            added: open.added + 1,
+            cost: open.cost + length + after - before,
+            magnitude: open.magnitude + length + after + before,
         })
     }
 
-    /// Goes on with what is in hand once `end` has been joined to a point, and perhaps has taken the
-    /// place of a partner there.
-    fn follow(&mut self, end: u32, to: u32, next: Hands) {
+    /// Searches on from `next`, the path after the edge from `end` to a point, and perhaps the removal of
+    /// an edge there.
+    fn follow(&mut self, end: u32, to: u32, next: OpenPath) {
         let steps = self.path.len;
-        let takes_place = next.end != to;
-        if takes_place {
-            self.joins.part(to, next.end);
+        let removes = next.end != to;
+        if removes {
+            self.matching.remove(to, next.end);
         }
-        self.joins.join(end, to);
-        self.path.push(Step::Join(end, to));
-        if takes_place {
-            self.path.push(Step::Part(to, next.end));
-            self.leave_open(next);
+        self.matching.add(end, to);
+        self.path.push(Step::Add(end, to));
+        if removes {
+            self.path.push(Step::Remove(to, next.end));
+            self.stop(next);
         }
         self.extend(next);
         self.path.len = steps;
-        self.joins.part(end, to);
-        if takes_place {
-            self.joins.join(to, next.end);
+        self.matching.remove(end, to);
+        if removes {
+            self.matching.add(to, next.end);
         }
     }
 }
 
-/// The cheapest ways to go on, by the points that are joined.
+/// The cheapest ways to continue a path, each with the point that the next edge leads to.
 struct Cheapest {
-    ways: [(u32, Hands); BROADEST],
+    ways: [(u32, OpenPath); BROADEST],
     len: usize,
     most: usize,
 }
 
 impl Cheapest {
     fn new(most: usize) -> Self {
-        let nowhere = Hands {
-            base: None,
+        let none = OpenPath {
+            t1: None,
             end: NONE,
-            joins: 0,
+            added: 0,
             cost: f64::INFINITY,
-            size: 0.0,
+            magnitude: 0.0,
         };
         Self {
-            ways: [(NONE, nowhere); BROADEST],
+            ways: [(NONE, none); BROADEST],
             len: 0,
             most,
         }
     }
 
     /// Of equals, the first stays.
-    fn insert(&mut self, to: u32, next: Hands) {
+    fn insert(&mut self, to: u32, next: OpenPath) {
         let at = self.all().partition_point(|(_, way)| way.cost <= next.cost);
         if at < self.most {
             self.len = (self.len + 1).min(self.most);
@@ -391,7 +395,7 @@ impl Cheapest {
         }
     }
 
-    fn all(&self) -> &[(u32, Hands)] {
+    fn all(&self) -> &[(u32, OpenPath)] {
         &self.ways[..self.len]
     }
 }

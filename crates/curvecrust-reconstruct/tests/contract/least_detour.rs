@@ -7,8 +7,20 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
+use self::constants::{
+    AHEAD_COSINE, CERTIFIED_COSINE, CONTINUATION_NEIGHBOURS, EVEN_RATIO, PENALTY, RUN_EDGES,
+    RUN_PENALTY, SPACING_NEIGHBOURS, STRAIGHT_COSINE, TRUSTED_DETOUR, UNEVEN_RATIO,
+};
 use super::inputs::{any_points, point_set, uniform};
 use super::oracles;
+
+/// The constants of the method, not a copy of them.
+#[path = "../../src/least_detour/constants.rs"]
+#[allow(
+    dead_code,
+    reason = "those of the search are no part of the definition"
+)]
+mod constants;
 
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
 struct Definition<'a> {
@@ -17,8 +29,8 @@ struct Definition<'a> {
     candidates: EdgeSet,
     hnn: EdgeSet,
     crust: EdgeSet,
-    /// Of one slot of each point, and of both.
-    prices: Vec<[f64; 2]>,
+    /// Of one free end of each point, and of both.
+    penalties: Vec<[f64; 2]>,
 }
 
 fn partners(edges: &EdgeSet, v: PointId) -> Vec<PointId> {
@@ -38,9 +50,9 @@ fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
     a.length() + difference
 }
 
-/// Whether the way p, v, q is possible in a rho-sample.
-fn may_follow(v: DVec2, p: DVec2, q: DVec2) -> bool {
-    detour(v, p, q) <= 0.82 * v.distance(p).min(v.distance(q))
+/// Whether the path p, v, q is possible in a rho-sample.
+fn may_be_consecutive(v: DVec2, p: DVec2, q: DVec2) -> bool {
+    detour(v, p, q) <= TRUSTED_DETOUR * v.distance(p).min(v.distance(q))
 }
 
 impl<'a> Definition<'a> {
@@ -54,9 +66,9 @@ impl<'a> Definition<'a> {
             candidates: EdgeSet::new(points.len(), candidates),
             hnn: oracles::hnn_crust(points),
             crust: oracles::one_step_crust(points),
-            prices: Vec::new(),
+            penalties: Vec::new(),
         };
-        definition.prices = points.ids().map(|v| definition.price(v)).collect();
+        definition.penalties = points.ids().map(|v| definition.penalty(v)).collect();
         definition
     }
 
@@ -76,63 +88,67 @@ impl<'a> Definition<'a> {
         nearest.map_or(0.0, |p| self.points[v].distance(self.points[p]))
     }
 
-    fn is_settled(&self, v: PointId) -> bool {
-        let certain = partners(&self.hnn, v).into_iter();
-        certain.filter(|&w| self.is_certain(v, w)).count() == 2
+    fn is_saturated(&self, v: PointId) -> bool {
+        let certified = partners(&self.hnn, v).into_iter();
+        certified.filter(|&w| self.is_certified(v, w)).count() == 2
     }
 
     fn longest_trusted(&self, v: PointId) -> f64 {
         let longest = |graph: &EdgeSet, may_be: &dyn Fn(PointId) -> bool| {
             let trusted = partners(graph, v).into_iter().filter(|&w| {
-                may_be(v) && may_be(w) && Self::goes_on(self.points, graph, [v, w], may_follow)
+                may_be(v)
+                    && may_be(w)
+                    && Self::continues(self.points, graph, [v, w], may_be_consecutive)
             });
             let lengths = trusted.map(|w| self.points[v].distance(self.points[w]));
             lengths.fold(0.0, f64::max)
         };
-        longest(&self.hnn, &|_| true).max(longest(&self.crust, &|v| !self.is_settled(v)))
+        longest(&self.hnn, &|_| true).max(longest(&self.crust, &|v| !self.is_saturated(v)))
     }
 
-    /// Of one slot of a point that is not settled, and of both.
-    fn price(&self, v: PointId) -> [f64; 2] {
-        let closest = self.closest(v).into_iter().take(2);
+    /// Of one free end of a point that certified edges do not saturate, and of both.
+    fn penalty(&self, v: PointId) -> [f64; 2] {
+        let closest = self.closest(v).into_iter().take(SPACING_NEIGHBOURS);
         let around = closest.map(|w| self.to_nearest(w).max(self.longest_trusted(w)));
         let expected = around.fold(self.longest_trusted(v), f64::max);
-        let one = 2.25 * expected.max(self.to_nearest(v));
-        let both = if self.is_wanted(v) {
-            one.max(4.5 * expected)
+        let usual = PENALTY * expected.max(self.to_nearest(v));
+        let both = if self.continues_a_neighbour(v) {
+            usual.max(2.0 * PENALTY * expected)
         } else {
-            one
+            usual
         };
-        let stop = self.stop(v).map_or(f64::INFINITY, |spacing| 1.3 * spacing);
-        let slot = one.min(stop);
-        [slot, both.min(2.0 * slot)]
+        let run = self.run_ending_at(v);
+        let one = usual.min(run.map_or(f64::INFINITY, |spacing| RUN_PENALTY * spacing));
+        [one, both.min(2.0 * one)]
     }
 
-    /// The angle by which the way p, v, q turns, in degrees.
-    fn turn(&self, p: PointId, v: PointId, q: PointId) -> f64 {
+    /// Whether the path p, v, q turns by no more than the angle with this cosine.
+    fn turns_less(&self, cosine: f64, [p, v, q]: [PointId; 3]) -> bool {
         let [p, v, q] = [p, v, q].map(|id| self.points[id]);
-        (v - p).angle_to(q - v).abs().to_degrees()
+        (v - p).angle_to(q - v).abs() <= cosine.acos()
     }
 
-    /// The spacing of the even run that stops at a point.
-    fn stop(&self, v: PointId) -> Option<f64> {
+    /// The spacing of the even run that ends at a point.
+    fn run_ending_at(&self, v: PointId) -> Option<f64> {
         let mut runs = partners(&self.hnn, v);
         runs.retain(|&w| self.spacing_of_run(v, w).is_some());
-        let [behind] = runs[..] else { return None };
-        let ahead = self
-            .closest(v)
-            .into_iter()
-            .filter(|&w| w != behind && !self.is_settled(w) && self.turn(behind, v, w) <= 45.0);
-        let spacing = self.spacing_of_run(v, behind);
-        spacing.filter(|spacing| ahead.count() == 0 && self.longest_trusted(v) <= 3.0 * spacing)
+        let [previous] = runs[..] else { return None };
+        let ahead = self.closest(v).into_iter().filter(|&w| {
+            w != previous
+                && !self.is_saturated(w)
+                && self.turns_less(AHEAD_COSINE, [previous, v, w])
+        });
+        let is_uneven = |spacing: &f64| self.longest_trusted(v) > UNEVEN_RATIO * spacing;
+        let spacing = self.spacing_of_run(v, previous);
+        spacing.filter(|spacing| ahead.count() == 0 && !is_uneven(spacing))
     }
 
-    fn spacing_of_run(&self, v: PointId, behind: PointId) -> Option<f64> {
-        let mut run = vec![v, behind];
-        while run.len() < 6 {
+    fn spacing_of_run(&self, v: PointId, previous: PointId) -> Option<f64> {
+        let mut run = vec![v, previous];
+        while run.len() <= RUN_EDGES {
             let [to, at] = [run[run.len() - 2], run[run.len() - 1]];
             let next = partners(&self.hnn, at).into_iter().find(|&w| w != to)?;
-            if self.turn(to, at, next) > 45.0 {
+            if !self.turns_less(AHEAD_COSINE, [to, at, next]) {
                 return None;
             }
             run.push(next);
@@ -142,58 +158,58 @@ impl<'a> Definition<'a> {
             .map(|w| self.points[w[0]].distance(self.points[w[1]]));
         let lengths: Vec<f64> = lengths.collect();
         let longest = lengths.iter().copied().fold(0.0, f64::max);
-        let is_even = lengths.iter().all(|length| 2.0 * length >= longest);
-        is_even.then(|| lengths[0].max(lengths.iter().sum::<f64>() / 5.0))
+        let is_even = lengths.iter().all(|length| EVEN_RATIO * length >= longest);
+        is_even.then(|| lengths[0].max(lengths.iter().sum::<f64>() / RUN_EDGES as f64))
     }
 
-    /// Whether a candidate that is not settled would go on to the point.
-    fn is_wanted(&self, v: PointId) -> bool {
+    /// Whether the curve through a candidate that is not saturated may continue to the point.
+    fn continues_a_neighbour(&self, v: PointId) -> bool {
         self.closest(v).into_iter().any(|w| {
             let mut others = self.closest(w);
             others.retain(|&u| u != v);
-            others.truncate(3);
+            others.truncate(CONTINUATION_NEIGHBOURS);
             let pairs = || {
                 others
                     .iter()
                     .flat_map(|&p| others.iter().map(move |&q| (p, q)))
             };
-            let straight = 0.9_f64.acos().to_degrees();
-            let mut straight_on = pairs().filter(|&(p, q)| self.turn(p, w, q) <= straight);
-            !self.is_settled(w)
+            let mut straight_on =
+                pairs().filter(|&(p, q)| self.turns_less(STRAIGHT_COSINE, [p, w, q]));
+            !self.is_saturated(w)
                 && straight_on.next().is_none()
                 && (others.is_empty()
-                    || others
-                        .iter()
-                        .any(|&u| may_follow(self.points[w], self.points[u], self.points[v])))
+                    || others.iter().any(|&u| {
+                        may_be_consecutive(self.points[w], self.points[u], self.points[v])
+                    }))
         })
     }
 
-    /// Whether both ends of an edge of a graph have another that is `well` with it.
-    fn goes_on(
+    /// Whether an edge of a graph continues at both ends by an edge that `is_continuation` accepts.
+    fn continues(
         points: &PointSet,
         graph: &EdgeSet,
         [v, w]: [PointId; 2],
-        well: impl Fn(DVec2, DVec2, DVec2) -> bool,
+        is_continuation: impl Fn(DVec2, DVec2, DVec2) -> bool,
     ) -> bool {
         [(v, w), (w, v)].into_iter().all(|(at, to)| {
             let others = partners(graph, at).into_iter().filter(|&p| p != to);
             let mut others = others.map(|p| points[p]);
-            others.any(|p| well(points[at], points[to], p))
+            others.any(|p| is_continuation(points[at], points[to], p))
         })
     }
 
-    fn is_certain(&self, v: PointId, w: PointId) -> bool {
+    fn is_certified(&self, v: PointId, w: PointId) -> bool {
         let is_straight = |v: DVec2, p: DVec2, q: DVec2| {
             let (a, b) = (p - v, q - v);
-            -a.dot(b) >= 0.65 * a.length() * b.length()
+            -a.dot(b) >= CERTIFIED_COSINE * a.length() * b.length()
         };
         Edge::new(v, w).is_some_and(|e| self.hnn.contains(e) && self.crust.contains(e))
-            && Self::goes_on(self.points, &self.hnn, [v, w], is_straight)
+            && Self::continues(self.points, &self.hnn, [v, w], is_straight)
     }
 
-    fn certain(&self) -> impl Iterator<Item = Edge> + '_ {
+    fn certified(&self) -> impl Iterator<Item = Edge> + '_ {
         let edges = self.hnn.edges().iter().copied();
-        edges.filter(|e| self.is_certain(e.a(), e.b()))
+        edges.filter(|e| self.is_certified(e.a(), e.b()))
     }
 
     fn cost(&self, edges: &EdgeSet) -> f64 {
@@ -205,12 +221,12 @@ impl<'a> Definition<'a> {
         lengths.sum::<f64>() + self.points.ids().map(at).sum::<f64>()
     }
 
-    /// What a point with these partners costs: its detour, or its open slots.
+    /// What a point with these partners costs: its detour, or its free ends.
     fn cost_at(&self, v: PointId, partners: &[PointId]) -> f64 {
         match *partners {
             [p, q] => detour(self.points[v], self.points[p], self.points[q]),
-            [_] => self.prices[v.index()][0],
-            _ => self.prices[v.index()][1],
+            [_] => self.penalties[v.index()][0],
+            _ => self.penalties[v.index()][1],
         }
     }
 
@@ -232,9 +248,9 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
     if !edges.junctions().is_empty() || Definition::has_triangle(edges) {
         return Some("a junction or a triangle".to_owned());
     }
-    let certain: Vec<Edge> = definition.certain().collect();
-    if let Some(edge) = certain.iter().find(|&&e| !edges.contains(e)) {
-        return Some(format!("{edge:?} is certain and missing"));
+    let certified: Vec<Edge> = definition.certified().collect();
+    if let Some(edge) = certified.iter().find(|&&e| !edges.contains(e)) {
+        return Some(format!("{edge:?} is certified and missing"));
     }
     let cost = definition.cost(edges);
     let is_better = |others: &EdgeSet| definition.cost(others) < cost * (1.0 - 1e-9);
@@ -243,7 +259,7 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
         let added = Some(edge).filter(|&e| !edges.contains(e));
         EdgeSet::new(points.len(), others.chain(added))
     };
-    let toggled = candidates.edges().iter().filter(|e| !certain.contains(e));
+    let toggled = candidates.edges().iter().filter(|e| !certified.contains(e));
     for &edge in toggled {
         let others = changed(edge);
         let is_valid = others.junctions().is_empty() && !Definition::has_triangle(&others);
@@ -254,7 +270,7 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
     None
 }
 
-/// The least cost of all sets of edges that least detour may choose from, by trying all.
+/// The least cost of all triangle-free 2-matchings with the certified edges, by trying all.
 struct Exhaustive<'a> {
     definition: &'a Definition<'a>,
     partners: Vec<Vec<PointId>>,
@@ -262,23 +278,23 @@ struct Exhaustive<'a> {
 }
 
 impl<'a> Exhaustive<'a> {
-    /// Given what some such set costs.
+    /// Given the cost of one of them.
     fn least_cost(definition: &'a Definition<'a>, known: f64) -> f64 {
         let mut search = Self {
             definition,
             partners: vec![Vec::new(); definition.points.len()],
             least: known,
         };
-        let certain: Vec<Edge> = definition.certain().collect();
-        let certain_cost = certain.iter().map(|&e| search.join(e)).sum();
+        let certified: Vec<Edge> = definition.certified().collect();
+        let certified_cost = certified.iter().map(|&e| search.add(e)).sum();
         let candidates = definition.candidates.edges().iter().copied();
-        let rest: Vec<Edge> = candidates.filter(|e| !certain.contains(e)).collect();
-        search.with_or_without(&rest, certain_cost);
+        let rest: Vec<Edge> = candidates.filter(|e| !certified.contains(e)).collect();
+        search.with_or_without(&rest, certified_cost);
         search.least
     }
 
-    /// Joins the ends of an edge: its length, and the detours at ends that have two partners now.
-    fn join(&mut self, edge: Edge) -> f64 {
+    /// Adds an edge, and returns its length and the detours at ends that have two edges now.
+    fn add(&mut self, edge: Edge) -> f64 {
         let points = self.definition.points;
         let mut cost = points[edge.a()].distance(points[edge.b()]);
         for (v, w) in [(edge.a(), edge.b()), (edge.b(), edge.a())] {
@@ -292,20 +308,20 @@ impl<'a> Exhaustive<'a> {
     }
 
     fn with_or_without(&mut self, rest: &[Edge], cost: f64) {
-        // What is joined already is paid for, whatever follows.
+        // What the edges cost so far, they cost whatever follows.
         if cost >= self.least {
             return;
         }
         let Some((&edge, rest)) = rest.split_first() else {
             let all = self.definition.points.ids().zip(&self.partners);
-            let open = all.filter(|(_, partners)| partners.len() < 2);
-            let open = open.map(|(v, partners)| self.definition.cost_at(v, partners));
-            self.least = self.least.min(cost + open.sum::<f64>());
+            let free = all.filter(|(_, partners)| partners.len() < 2);
+            let penalties = free.map(|(v, partners)| self.definition.cost_at(v, partners));
+            self.least = self.least.min(cost + penalties.sum::<f64>());
             return;
         };
         let [a, b] = edge.ends().map(|v| &self.partners[v.index()]);
         if a.len() < 2 && b.len() < 2 && !a.iter().any(|v| b.contains(v)) {
-            let added = self.join(edge);
+            let added = self.add(edge);
             self.with_or_without(rest, cost + added);
             for v in edge.ends() {
                 self.partners[v.index()].pop();
@@ -315,8 +331,7 @@ impl<'a> Exhaustive<'a> {
     }
 }
 
-/// Of small sets of scattered points, of which next to nothing is certain, nearly all get the cheapest
-/// edges there are.
+/// Nearly all small sets of scattered points, with hardly a certified edge, get the cheapest 2-matching.
 #[test]
 fn exchanges_find_the_cheapest_edges_of_nearly_all_small_sets() {
     let mut runner = TestRunner::deterministic();
@@ -338,10 +353,10 @@ fn exchanges_find_the_cheapest_edges_of_nearly_all_small_sets() {
     assert!(excess / f64::from(sets) < 0.0005, "{excess}");
 }
 
-/// A cluster as wide as a few roundings, where prices are a million times a million times as large as
-/// lengths: what rounding leaves of them once looked like a gain, and exchanges went on for ever.
+/// A cluster as wide as a few roundings, where penalties are 10^12 times as large as lengths: their
+/// rounding errors once looked like a gain, and exchanges went on for ever.
 #[test]
-fn prices_much_larger_than_lengths_feign_no_gain() {
+fn penalties_much_larger_than_lengths_feign_no_gain() {
     let steps = [
         (0, 0),
         (1, 6),
@@ -371,7 +386,7 @@ fn prices_much_larger_than_lengths_feign_no_gain() {
     }
 }
 
-/// Two points are joined, and more in a row one after another, wherever the last of them turns.
+/// Two points are joined, and more in a row one after another, whatever the turn of the last edge.
 #[test]
 fn a_few_points_in_a_row_are_joined() {
     for n in 2..9 {
@@ -388,10 +403,10 @@ fn a_few_points_in_a_row_are_joined() {
     }
 }
 
-/// Half circles with ends beside each other: the gap is bridged by lengths and detours alone, but not
-/// where the samples are even and a run stops.
+/// Half circles with ends beside each other: lengths and detours alone would bridge the gap, but the
+/// penalty at the end of an even run is small.
 #[test]
-fn even_runs_stop_and_uneven_ones_go_on() {
+fn even_runs_end_and_uneven_ones_continue() {
     let arc = |x: f64, even: bool| {
         (0..=10).map(move |i| {
             // Uneven: every other sample is moved by half a step.
@@ -417,7 +432,7 @@ fn even_runs_stop_and_uneven_ones_go_on() {
 /// An outlier beside a straight row is left alone, at every distance of a spacing or more; the tip of
 /// a corner that is as far from both legs is not.
 #[test]
-fn nobody_wants_an_outlier() {
+fn an_outlier_is_left_alone() {
     let row = |y: f64| (0..12).map(move |i| DVec2::new(f64::from(i), y * f64::from(i)));
     for height in [1.0, 1.5, 2.0, 3.0] {
         let points = row(0.0).chain([DVec2::new(5.4, height)]).collect();
@@ -440,19 +455,19 @@ proptest! {
         let why = LeastDetour.explain(&points, &[]).unwrap().unwrap();
         let explained: Vec<Edge> = why.edges.iter().map(|e| e.edge).collect();
         prop_assert_eq!(&explained[..], edges.edges());
-        let certain: Vec<Edge> = definition.certain().collect();
+        let certified: Vec<Edge> = definition.certified().collect();
         for explained in &why.edges {
-            let is_certain = certain.contains(&explained.edge);
-            prop_assert_eq!(explained.reason == Reason::Certified, is_certain);
-            prop_assert!(!is_certain || explained.margin.is_none());
+            let is_certified = certified.contains(&explained.edge);
+            prop_assert_eq!(explained.reason == Reason::Certified, is_certified);
+            prop_assert!(!is_certified || explained.margin.is_none());
             prop_assert!(explained.margin.is_none_or(|margin| margin >= 0.0));
         }
-        let open: Vec<_> = why.open.iter().map(|end| (end.point, usize::from(end.slots))).collect();
-        let slots = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
-        prop_assert_eq!(open, slots.filter(|s| s.1 > 0).collect::<Vec<_>>());
-        for end in &why.open {
-            let price = definition.prices[end.point.index()][usize::from(end.slots) - 1];
-            prop_assert!((end.price - price).abs() <= 1e-9 * price);
+        let free: Vec<_> = why.free_ends.iter().map(|end| (end.point, usize::from(end.count))).collect();
+        let expected = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
+        prop_assert_eq!(free, expected.filter(|s| s.1 > 0).collect::<Vec<_>>());
+        for end in &why.free_ends {
+            let penalty = definition.penalties[end.point.index()][usize::from(end.count) - 1];
+            prop_assert!((end.penalty - penalty).abs() <= 1e-9 * penalty);
             let Some(rejected) = end.rejected else { continue };
             let joined = Edge::new(end.point, rejected.partner).unwrap();
             prop_assert!(definition.candidates.contains(joined) && !edges.contains(joined));

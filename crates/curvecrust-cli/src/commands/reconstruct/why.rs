@@ -34,10 +34,10 @@ pub(super) fn open_ends<'a>(
     why: &'a Explanation,
     bare: &'a BarePoints,
 ) -> impl Iterator<Item = OpenEndObject> + 'a {
-    why.open.iter().map(|end| OpenEndObject {
+    why.free_ends.iter().map(|end| OpenEndObject {
         point: bare.row(end.point),
-        slots: end.slots,
-        price: end.price,
+        slots: end.count,
+        price: end.penalty,
         partner: end.rejected.map(|rejected| bare.row(rejected.partner)),
         cost: end.rejected.map(|rejected| rejected.cost),
     })

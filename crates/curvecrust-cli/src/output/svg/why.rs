@@ -37,7 +37,7 @@ pub(super) fn write(
             edges.map(|e| pair(e.edge.ends())),
         )?;
     }
-    let rejected = explanation.open.iter().filter_map(|end| {
+    let rejected = explanation.free_ends.iter().filter_map(|end| {
         let rejected = end.rejected?;
         Some(pair([end.point, rejected.partner]))
     });

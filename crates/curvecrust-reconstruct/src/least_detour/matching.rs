@@ -1,35 +1,38 @@
-//! The edges at a stage of the work, and what they cost.
+//! A 2-matching, and what its points cost.
+//!
+//! A 2-matching is a set of edges with at most two at each point (J. Edmonds, "Maximum Matching and a
+//! Polyhedron with 0,1-Vertices", Journal of Research of the National Bureau of Standards 69B, 1965).
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet};
 
 /// No partner.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// What it costs to leave slots of a point open.
+/// What the free ends of a point cost.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Price {
-    /// One of them.
-    pub(super) slot: f64,
-    /// Both: no less than one, and at most twice as much.
+pub(super) struct Penalty {
+    /// One free end: the point has one edge.
+    pub(super) one: f64,
+    /// Two free ends: the point is isolated. No less than one of them, and at most twice as much.
     pub(super) both: f64,
 }
 
-/// At most two partners for every point, at most one for a terminus.
-pub(super) struct Joins<'a> {
+/// At most two edges at each point, at most one at a terminus.
+pub(super) struct Matching<'a> {
     points: &'a [DVec2],
-    prices: Vec<Price>,
+    penalties: Vec<Penalty>,
     partners: Vec<[u32; 2]>,
-    /// Those of the partners that stay.
+    /// Those partners that stay.
     certified: Vec<[u32; 2]>,
     is_terminus: Vec<bool>,
 }
 
-impl<'a> Joins<'a> {
-    /// No joins, and nothing to pay for open slots.
+impl<'a> Matching<'a> {
+    /// No edges, and no penalties.
     pub(super) fn new(points: &'a [DVec2], is_terminus: Vec<bool>) -> Self {
         Self {
             points,
-            prices: vec![Price::default(); points.len()],
+            penalties: vec![Penalty::default(); points.len()],
             partners: vec![[NONE; 2]; points.len()],
             certified: vec![[NONE; 2]; points.len()],
             is_terminus,
@@ -40,30 +43,30 @@ impl<'a> Joins<'a> {
         self.partners[v as usize]
     }
 
-    pub(super) fn set_prices(&mut self, prices: Vec<Price>) {
-        self.prices = prices;
+    pub(super) fn set_penalties(&mut self, penalties: Vec<Penalty>) {
+        self.penalties = penalties;
     }
 
-    /// What it costs to leave one slot of a point open.
-    pub(super) fn price(&self, v: u32) -> f64 {
-        self.prices[v as usize].slot
+    /// The penalty of one free end of a point.
+    pub(super) fn penalty(&self, v: u32) -> f64 {
+        self.penalties[v as usize].one
     }
 
     pub(super) fn length(&self, v: u32, w: u32) -> f64 {
         self.points[v as usize].distance(self.points[w as usize])
     }
 
-    /// How many more partners the point may have.
-    pub(super) fn open_slots(&self, v: u32) -> usize {
+    /// How many more edges the point may have.
+    pub(super) fn free_ends(&self, v: u32) -> usize {
         let none = self.partners(v).into_iter().filter(|&p| p == NONE).count();
         none - usize::from(self.is_terminus[v as usize])
     }
 
-    pub(super) fn is_open(&self, v: u32) -> bool {
-        self.open_slots(v) > 0
+    pub(super) fn has_free_end(&self, v: u32) -> bool {
+        self.free_ends(v) > 0
     }
 
-    pub(super) fn are_joined(&self, v: u32, w: u32) -> bool {
+    pub(super) fn contains(&self, v: u32, w: u32) -> bool {
         self.partners(v).contains(&w)
     }
 
@@ -71,8 +74,8 @@ impl<'a> Joins<'a> {
         self.certified[v as usize].contains(&w)
     }
 
-    /// Whether all that the point may have is certified.
-    pub(super) fn is_settled(&self, v: u32) -> bool {
+    /// Whether certified edges saturate the point: it has as many of them as it may have edges.
+    pub(super) fn is_saturated(&self, v: u32) -> bool {
         let certified = self.certified[v as usize];
         let left = certified.into_iter().filter(|&p| p == NONE).count();
         left == usize::from(self.is_terminus[v as usize])
@@ -85,19 +88,19 @@ impl<'a> Joins<'a> {
         self.partners(v).into_iter().any(is_shared)
     }
 
-    /// Joins two points; both must be open and not joined.
-    pub(super) fn join(&mut self, v: u32, w: u32) {
-        put(&mut self.partners, v, w);
+    /// Adds an edge; both ends must be free, and the edge must not be there.
+    pub(super) fn add(&mut self, v: u32, w: u32) {
+        add_partners(&mut self.partners, v, w);
     }
 
-    /// Joins two points for good.
+    /// Adds an edge for good.
     pub(super) fn certify(&mut self, v: u32, w: u32) {
-        put(&mut self.partners, v, w);
-        put(&mut self.certified, v, w);
+        add_partners(&mut self.partners, v, w);
+        add_partners(&mut self.certified, v, w);
     }
 
-    /// Parts two points that are joined.
-    pub(super) fn part(&mut self, v: u32, w: u32) {
+    /// Removes an edge.
+    pub(super) fn remove(&mut self, v: u32, w: u32) {
         for (from, to) in [(v, w), (w, v)] {
             if let Some(slot) = self.partners[from as usize].iter_mut().find(|p| **p == to) {
                 *slot = NONE;
@@ -105,18 +108,18 @@ impl<'a> Joins<'a> {
         }
     }
 
-    /// What a point costs: its detour if it has two partners, else its open slots without those
-    /// `in_hand`, whose partners are still sought.
-    pub(super) fn cost(&self, v: u32, in_hand: usize) -> f64 {
+    /// What a point costs: its detour if it has two edges, else the penalty of its free ends, without
+    /// those that are `pending`: a path still seeks a partner for them.
+    pub(super) fn cost(&self, v: u32, pending: usize) -> f64 {
         match self.partners(v) {
             [p, q] if p != NONE && q != NONE => {
                 let [p, q] = [p, q].map(|id| self.points[id as usize]);
                 detour(self.points[v as usize], p, q)
             }
-            _ => match self.open_slots(v).saturating_sub(in_hand) {
+            _ => match self.free_ends(v).saturating_sub(pending) {
                 0 => 0.0,
-                1 => self.prices[v as usize].slot,
-                _ => self.prices[v as usize].both,
+                1 => self.penalties[v as usize].one,
+                _ => self.penalties[v as usize].both,
             },
         }
     }
@@ -130,16 +133,16 @@ impl<'a> Joins<'a> {
     }
 }
 
-/// Uses a slot of both ends.
-pub(super) fn put(slots: &mut [[u32; 2]], v: u32, w: u32) {
+/// Makes two points partners of each other.
+pub(super) fn add_partners(partners: &mut [[u32; 2]], v: u32, w: u32) {
     for (from, to) in [(v, w), (w, v)] {
-        if let Some(slot) = slots[from as usize].iter_mut().find(|p| **p == NONE) {
+        if let Some(slot) = partners[from as usize].iter_mut().find(|p| **p == NONE) {
             *slot = to;
         }
     }
 }
 
-/// How much longer the way from p to q is by way of v: |vp| + |vq| - |pq|.
+/// How much longer the path from p to q is if it passes v: |vp| + |vq| - |pq|.
 ///
 /// In a form whose error is relative to the shorter of |vp| and |vq|.
 pub(super) fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
@@ -164,7 +167,7 @@ mod tests {
             let expected = v.distance(p) + v.distance(q) - p.distance(q);
             assert!((detour(v, p, q) - expected).abs() < 1e-14);
         }
-        // Straight on, and back: twice the shorter way.
+        // Straight on, and back: twice the shorter edge.
         assert!(detour(v, at(0.0, 5.0), at(180.0, 0.1)) < 1e-16);
         assert!((detour(v, at(0.0, 5.0), at(0.0, 0.1)) - 0.2).abs() < 1e-15);
     }

@@ -1,0 +1,93 @@
+//! What an algorithm says of its edges and of its free ends.
+
+use std::fmt;
+
+use curvecrust_geometry::{Edge, EdgeSet, PointId};
+
+/// The edges of a reconstruction and its free ends, each with its reason: see
+/// [`Reconstructor::explain`](crate::algorithm::Reconstructor::explain).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Explanation {
+    /// The edges, ascending.
+    pub edges: Vec<ExplainedEdge>,
+    /// The points with fewer than two edges, ascending. A terminus has a free end only if it has no edge.
+    pub free_ends: Vec<FreeEnd>,
+}
+
+/// An edge and why it is there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ExplainedEdge {
+    /// The edge.
+    pub edge: Edge,
+    /// How it came to be there.
+    pub reason: Reason,
+    /// By how much the cost would rise by the best exchange that removes the edge: near 0 where
+    /// another answer is as good. In the unit of the points. `None` for certified edges, which are not
+    /// exchanged.
+    pub margin: Option<f64>,
+}
+
+/// How an edge came to be there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Reason {
+    /// HNN-Crust and the one-step crust agree on it, and it continues almost straight at both ends.
+    Certified,
+    /// It was the shortest that was left when it was added, and no exchange removed it.
+    Completed,
+    /// An exchange that lowered the cost added it.
+    Exchanged,
+}
+
+impl Reason {
+    /// The reason in one word, lower case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Certified => "certified",
+            Self::Completed => "completed",
+            Self::Exchanged => "exchanged",
+        }
+    }
+}
+
+/// The reason in one word: [`Reason::name`].
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A point where a curve ends, or that is isolated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FreeEnd {
+    /// The point.
+    pub point: PointId,
+    /// How many free ends it has: 1 where a curve ends, 2 if it is isolated.
+    pub count: u8,
+    /// What they cost. In the unit of the points.
+    pub penalty: f64,
+    /// The exchange that gives the point another edge and costs least; `None` if there is none.
+    pub rejected: Option<Rejected>,
+}
+
+/// An edge that a free end could have, but that costs more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Rejected {
+    /// The other end of the edge.
+    pub partner: PointId,
+    /// By how much the cost would rise. In the unit of the points.
+    pub cost: f64,
+}
+
+impl Explanation {
+    /// The edges alone, between as many vertices as there are points.
+    #[must_use]
+    pub fn edge_set(&self, points: usize) -> EdgeSet {
+        EdgeSet::new(points, self.edges.iter().map(|explained| explained.edge))
+    }
+}
