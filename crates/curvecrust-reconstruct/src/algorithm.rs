@@ -1,45 +1,11 @@
-//! The contract that all algorithms share, and the list of them.
+//! The contract that all algorithms share.
 
 use std::fmt;
 
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
-use crate::beta_skeleton::BetaSkeleton;
-use crate::crust::Crust;
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
-use crate::hnn_crust::HnnCrust;
-use crate::least_detour::LeastDetour;
-use crate::nn_crust::NnCrust;
-use crate::one_step_crust::OneStepCrust;
-use crate::sphere_of_influence::SphereOfInfluence;
-
-/// Every algorithm of this crate, the recommended one first.
-///
-/// Programs, documents, benches and tests iterate this list, so that none of them forgets one.
-///
-/// ```
-/// use curvecrust_geometry::{DVec2, PointSet};
-/// use curvecrust_reconstruct::ALGORITHMS;
-///
-/// let on_a_line = [0.0, 1.0, 2.5, 3.0].map(|x| DVec2::new(x, 2.0 * x));
-/// let points = PointSet::new(on_a_line.to_vec())?;
-/// for algorithm in ALGORITHMS {
-///     assert_eq!(algorithm.reconstruct(&points).len(), 3, "{}", algorithm.info().name);
-/// }
-/// # Ok::<(), curvecrust_geometry::PointSetError>(())
-/// ```
-pub const ALGORITHMS: &[&dyn Reconstructor] = &[
-    &LeastDetour,
-    &HnnCrust::MUTUAL,
-    &HnnCrust::UNION,
-    &NnCrust,
-    &Crust,
-    &OneStepCrust,
-    &BetaSkeleton::CRUST,
-    &BetaSkeleton::GABRIEL,
-    &SphereOfInfluence,
-];
 
 /// An algorithm that joins bare points by the edges of the curves they were sampled from.
 ///
@@ -47,7 +13,7 @@ pub const ALGORITHMS: &[&dyn Reconstructor] = &[
 /// For every point set, degenerate ones included, the edges are the same bytes on every run and any
 /// number of threads; permuting the points permutes the edges; scaling by a power of two or an
 /// exactly representable shift leaves them as they are.
-pub trait Reconstructor: fmt::Debug + Sync {
+pub trait Reconstructor: fmt::Debug + Send + Sync {
     /// What is known about the algorithm.
     fn info(&self) -> AlgorithmInfo;
 
@@ -76,8 +42,8 @@ pub trait Reconstructor: fmt::Debug + Sync {
         }
     }
 
-    /// The edges of [`reconstruct_open`](Self::reconstruct_open), each with why it is there, and the
-    /// ends with why they stay open; `None` by algorithms whose definition says all there is to say.
+    /// The edges of [`reconstruct_open`](Self::reconstruct_open) and the free ends, each with its
+    /// reason; `None` by algorithms whose definition is reason enough.
     ///
     /// # Errors
     /// Those of [`reconstruct_open`](Self::reconstruct_open).
@@ -93,6 +59,7 @@ pub trait Reconstructor: fmt::Debug + Sync {
 
 /// What is known about an algorithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct AlgorithmInfo {
     /// The name by which programs select it: lower case, with hyphens.
     pub name: &'static str,
@@ -107,72 +74,117 @@ pub struct AlgorithmInfo {
     pub honours_termini: bool,
 }
 
-/// A sampling condition with the bound below which an algorithm is proven correct.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Guarantee {
-    /// The condition.
-    pub condition: Condition,
-    /// The bound, exclusive.
-    pub bound: f64,
+impl AlgorithmInfo {
+    /// An algorithm without guarantees that does not take termini.
+    #[must_use]
+    pub const fn new(name: &'static str, citation: &'static str, cost: &'static str) -> Self {
+        Self {
+            name,
+            citation,
+            guarantees: &[],
+            cost,
+            honours_termini: false,
+        }
+    }
 }
 
+/// The name: [`AlgorithmInfo::name`].
+impl fmt::Display for AlgorithmInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name)
+    }
+}
+
+/// A sampling condition of smooth closed curves, with its bound, which is exclusive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SamplingBound {
+    /// Every curve point p has a sample nearer than this times the local feature size at p.
+    Epsilon(f64),
+    /// Every curve point between consecutive samples is nearer to one of them than this times the
+    /// reach of the curve between them.
+    Rho(f64),
+}
+
+/// For instance `rho < 0.9`, with three decimals at most, as the literature prints them.
+impl fmt::Display for SamplingBound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, bound) = match *self {
+            Self::Epsilon(bound) => ("epsilon", bound),
+            Self::Rho(bound) => ("rho", bound),
+        };
+        write!(f, "{name} < {}", (bound * 1000.0).round() / 1000.0)
+    }
+}
+
+/// A sampling condition that is claimed to suffice for an algorithm, and what is known of the
+/// claim.
+///
+/// ```
+/// use curvecrust_reconstruct::{HnnCrust, Reconstructor, SamplingBound, Standing};
+///
+/// let [by_reach, by_lfs] = HnnCrust::MUTUAL.info().guarantees else { panic!("two theorems") };
+/// assert_eq!(by_reach.claimed, SamplingBound::Rho(0.9));
+/// assert!(matches!(by_reach.standing, Standing::Refuted { .. }));
+/// assert_eq!(by_reach.to_string(), "rho < 0.9 (proven for rho < 0.678, false from rho = 0.895)");
+/// assert_eq!(by_lfs.to_string(), "epsilon < 0.47 (proven for epsilon < 0.404)");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Guarantee {
+    /// The condition as the source of the algorithm states it.
+    pub claimed: SamplingBound,
+    /// What is known of it.
+    pub standing: Standing,
+}
+
+/// What is known of a claimed guarantee.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Standing {
+    /// It is proven.
+    Proven,
+    /// It is proven below a smaller bound of the same condition; between the two it is conjectured.
+    ProvenBelow(f64),
+    /// It is false: from a bound on there are counterexamples.
+    Refuted {
+        /// The bound below which it is proven; from there to the counterexamples it is conjectured.
+        proven_below: f64,
+        /// The infimum of the bounds of known counterexamples.
+        fails_from: f64,
+    },
+}
+
+impl Guarantee {
+    pub(crate) const fn proven(claimed: SamplingBound) -> Self {
+        Self {
+            claimed,
+            standing: Standing::Proven,
+        }
+    }
+}
+
+/// The claim, and in brackets what is known of it unless it is proven.
 impl fmt::Display for Guarantee {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self.condition {
-            Condition::Epsilon => "epsilon",
-            Condition::Rho => "rho",
+        let name = match self.claimed {
+            SamplingBound::Epsilon(_) => "epsilon",
+            SamplingBound::Rho(_) => "rho",
         };
-        // As many digits as the literature prints.
-        write!(f, "{name} < {}", (self.bound * 1000.0).round() / 1000.0)
-    }
-}
-
-/// How the distance of curve points to samples is limited.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Condition {
-    /// Every curve point p has a sample nearer than epsilon times the local feature size at p.
-    Epsilon,
-    /// Every point between consecutive samples is nearer to one of them than rho times the reach
-    /// of the curve between them.
-    Rho,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_crate_doc_lists_every_algorithm() {
-        let row = |info: AlgorithmInfo| {
-            let guarantees: Vec<_> = info.guarantees.iter().map(Guarantee::to_string).collect();
-            let guarantees = match &guarantees[..] {
-                [] => "none known".to_owned(),
-                some => some.join(", "),
-            };
-            let termini = if info.honours_termini { "yes" } else { "no" };
-            format!(
-                "//! | [`{}`] | {} | {guarantees} | {} | {termini} |\n",
-                info.name, info.citation, info.cost,
-            )
-        };
-        let rows: String = ALGORITHMS.iter().map(|a| row(a.info())).collect();
-        let rule = "//! |---|---|---|---|---|\n";
-        let doc = include_str!("lib.rs");
-        let table = doc
-            .split_once(rule)
-            .unwrap()
-            .1
-            .split_once("//!\n")
-            .unwrap()
-            .0;
-        assert_eq!(table, rows, "paste into lib.rs:\n{rows}");
-    }
-
-    #[test]
-    fn names_are_unique() {
-        let mut names: Vec<_> = ALGORITHMS.iter().map(|a| a.info().name).collect();
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names.len(), ALGORITHMS.len());
+        // Rounded down: a proof holds for less, and a counterexample is not farther than it is.
+        let down = |bound: f64| (bound * 1000.0).floor() / 1000.0;
+        write!(f, "{}", self.claimed)?;
+        match self.standing {
+            Standing::Proven => Ok(()),
+            Standing::ProvenBelow(bound) => write!(f, " (proven for {name} < {})", down(bound)),
+            Standing::Refuted {
+                proven_below,
+                fails_from,
+            } => write!(
+                f,
+                " (proven for {name} < {}, false from {name} = {})",
+                down(proven_below),
+                down(fails_from)
+            ),
+        }
     }
 }

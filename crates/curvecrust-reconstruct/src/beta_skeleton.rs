@@ -4,8 +4,8 @@
 //! Graphical Models and Image Processing 60(2), 1998.
 //!
 //! Points p and q are joined if no other point lies in the two closed discs of radius beta |pq| / 2
-//! that touch both; equivalently, if pq is a Delaunay edge that both of its apexes see under less
-//! than asin(1/beta). At beta = 1 both discs are the one with diameter pq, and the result is the
+//! that touch both; equivalently, if pq is a Delaunay edge that subtends less than asin(1/beta) at
+//! both of its apexes. At beta = 1 both discs are the one with diameter pq, and the result is the
 //! Gabriel graph (K. R. Gabriel, R. R. Sokal, Systematic Zoology 18, 1969).
 //!
 //! Correct for closed smooth curves with epsilon < 0.297 at beta = 1.7. Cost: that of the Delaunay
@@ -13,9 +13,10 @@
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::delaunay_edges::{apex_angles, filtered};
 use crate::error::ReconstructError;
-use crate::sight::{Sight, filtered, sights};
+use crate::subtended_angle::SubtendedAngle;
 
 /// The parameter of a beta-skeleton: finite and at least 1.
 ///
@@ -54,7 +55,7 @@ impl Beta {
     }
 }
 
-/// The beta-skeleton: Delaunay edges seen from both apexes under less than asin(1/beta).
+/// The beta-skeleton: Delaunay edges that subtend less than asin(1/beta) at both apexes.
 ///
 /// Right angles are exact, hence the whole Gabriel graph; other angles are compared in floating
 /// point. A point on the boundary of a disc removes the edge, so cocircular points cause no choice.
@@ -63,7 +64,7 @@ impl Beta {
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::{Beta, beta_skeleton};
 ///
-/// // The apex sees the long side under 90 degrees, the others under 45.
+/// // The long side subtends 90 degrees, the others 45.
 /// let corner = [DVec2::ZERO, DVec2::new(2.0, 0.0), DVec2::new(1.0, 1.0)];
 /// let points = PointSet::new(corner.to_vec())?;
 /// assert_eq!(beta_skeleton(&points, Beta::GABRIEL).len(), 2);
@@ -74,10 +75,11 @@ impl Beta {
 pub fn beta_skeleton(points: &PointSet, beta: Beta) -> EdgeSet {
     // cot(asin(1/beta)), factored so that it is exactly 0 at 1 and does not overflow.
     let least_cotangent = (beta.0 - 1.0).sqrt() * (beta.0 + 1.0).sqrt();
-    let is_narrow =
-        |s: &Sight| s.is_acute() && (least_cotangent <= 0.0 || s.cotangent() > least_cotangent);
+    let is_narrow = |a: &SubtendedAngle| {
+        a.is_acute() && (least_cotangent <= 0.0 || a.cotangent() > least_cotangent)
+    };
     filtered(points, |dual| {
-        sights(points, dual).iter().flatten().all(is_narrow)
+        apex_angles(points, dual).iter().flatten().all(is_narrow)
     })
 }
 
@@ -116,10 +118,7 @@ impl Reconstructor for BetaSkeleton {
             gabriel
         } else if self.beta == Beta::CRUST {
             AlgorithmInfo {
-                guarantees: &[Guarantee {
-                    condition: Condition::Epsilon,
-                    bound: 0.297,
-                }],
+                guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.297))] },
                 ..skeleton
             }
         } else {
@@ -144,7 +143,7 @@ mod tests {
         }
     }
 
-    /// The side of 4 is seen under an angle of cotangent 3/4, which belongs to beta = 5/4.
+    /// The side of 4 subtends an angle of cotangent 3/4, which belongs to beta = 5/4.
     #[test]
     fn a_point_on_the_boundary_of_a_disc_removes_the_edge() {
         let corner = [(0.0, 0.0), (3.0, 0.0), (3.0, 4.0)];

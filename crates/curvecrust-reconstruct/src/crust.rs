@@ -7,17 +7,17 @@
 //! p and q every Voronoi vertex rules out a half-line; the two ends of the edge's dual are tested
 //! first and settle almost all edges, and the others are looked up in a tree.
 //!
-//! Correct for closed smooth curves with epsilon < 0.252, which the table of the HNN-Crust paper
-//! rounds to 0.2. All of V counts: without the far Voronoi vertices of slivers on the hull, false
-//! edges of the hull would stay. Cost: that of the Delaunay triangulation, O(n log n), plus a
-//! search around each edge.
+//! Correct for closed smooth curves with epsilon < 0.252; Table 1 of the HNN-Crust paper has 0.2,
+//! after T. K. Dey, "Curve and Surface Reconstruction", 2006. All of V counts: without the far
+//! Voronoi vertices of slivers on the hull, false edges of the hull would stay. Cost: that of the
+//! Delaunay triangulation, O(n log n), plus a search around each edge.
 
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
-use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
-use crate::one_step_crust::is_crust_edge;
+use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::delaunay_edges::is_crust_edge;
 use crate::voronoi_vertices::VoronoiVertices;
 
 /// The edges of Crust.
@@ -58,10 +58,7 @@ impl Reconstructor for Crust {
             name: "crust",
             citation: "Amenta, Bern, Eppstein: The Crust and the beta-Skeleton: Combinatorial \
                        Curve Reconstruction. GMIP 1998",
-            guarantees: &[Guarantee {
-                condition: Condition::Epsilon,
-                bound: 0.252,
-            }],
+            guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.252))] },
             cost: "O(n log n)",
             honours_termini: false,
         }

@@ -14,9 +14,9 @@ pub(crate) fn integers<const N: usize>(points: [DVec2; N]) -> ([Vector; N], i32)
     (points.map(|p| integer(p, exponent)), exponent)
 }
 
-/// Where points lie as seen from the first one, in units of the power of two that makes all integers,
-/// if polynomials of a degree in their differences fit into 128 bits, as for those of low degree and
-/// on a grid.
+/// Where points lie as seen from the first one, in units of the power of two that makes all
+/// integers, if polynomials of a degree in their differences fit into 128 bits, as for those of low
+/// degree and on a grid.
 pub(crate) fn small_integers<const N: usize>(
     points: [DVec2; N],
     degree: i32,

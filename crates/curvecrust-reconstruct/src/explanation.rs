@@ -11,7 +11,8 @@ use curvecrust_geometry::{Edge, EdgeSet, PointId};
 pub struct Explanation {
     /// The edges, ascending.
     pub edges: Vec<ExplainedEdge>,
-    /// The points with fewer than two edges, ascending. A terminus has a free end only if it has no edge.
+    /// The points with fewer than two edges, ascending. A terminus has a free end only if it has no
+    /// edge.
     pub free_ends: Vec<FreeEnd>,
 }
 
@@ -24,8 +25,8 @@ pub struct ExplainedEdge {
     /// How it came to be there.
     pub reason: Reason,
     /// By how much the cost would rise by the best exchange that removes the edge: near 0 where
-    /// another answer is as good. In the unit of the points. `None` for certified edges, which are not
-    /// exchanged.
+    /// another answer is as good. In the unit of the points. `None` for certified edges, which are
+    /// not exchanged.
     pub margin: Option<f64>,
 }
 

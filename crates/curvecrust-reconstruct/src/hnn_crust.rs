@@ -1,21 +1,27 @@
 //! HNN-Crust: S. Ohrhallinger, S. A. Mitchell, M. Wimmer, "Curve Reconstruction with Many Fewer
-//! Samples", Computer Graphics Forum 35(5) (SGP 2016), section 5.
+//! Samples", Computer Graphics Forum 35(5) (SGP 2016), sections 5 and 8.1.
 //!
 //! Every sample s chooses its nearest neighbour n0, and its half neighbour: the closest sample on
 //! its own side of the bisector of s and n0, that is the closest q with |qs| < |q n0|. An edge is
-//! kept if both of its ends chose it, so consecutive edges meet at 60 degrees or more, and an open
-//! curve ends by itself where the choice of its last sample is not returned.
+//! kept if both of its ends chose it (section 8.1: reconstructed bijectively), so consecutive edges
+//! meet at 60 degrees or more, and an open curve ends by itself where the choice of its last sample
+//! is not returned.
 //!
-//! Correct for closed smooth curves with rho < 0.9 (Theorem 2) or epsilon < 0.47 (Theorem 3).
-//! Where it leaves a leaf on a curve that should be closed, the condition is violated.
+//! The paper claims it correct for closed smooth curves with rho < 0.9 (Theorem 2) or epsilon <
+//! 0.47 (Theorem 3). Theorem 2 is false as printed: from rho = 0.8950 on there are curves with
+//! samples at which an edge is lost. The covering of its Figure 8 leaves the ratio 0.7323
+//! uncovered. An argument by hand that needs no covering proves rho < 0.6786, and by Theorem 1
+//! epsilon < 0.4042; up to rho = 0.8950, and so for all of Theorem 3, no failure is known. A leaf
+//! on a curve that should be closed shows that the condition is violated, or that it is one of
+//! these cases.
 //!
 //! Local: the cost is that of finding neighbours, O(n log n) and nearly linear on curves.
 
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound, Standing};
 use crate::error::ReconstructError;
-use crate::neighbours::{Choices, HalfRule};
+use crate::neighbours::{Choices, HalfRule, Keep};
 use crate::termini;
 
 /// The edges on which both of their ends agree: [`HnnCrust::MUTUAL`].
@@ -44,16 +50,6 @@ pub struct HnnCrust {
     pub keep: Keep,
 }
 
-/// Which of the edges that samples chose are kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Keep {
-    /// Those that both ends chose: every vertex has degree 2 at most.
-    Mutual,
-    /// All: no choice is lost, but vertices may branch, and open curves whose termini are not
-    /// marked get extra edges at their ends.
-    Union,
-}
-
 impl HnnCrust {
     /// The paper's algorithm and the default: edges reconstructed bijectively.
     pub const MUTUAL: Self = Self { keep: Keep::Mutual };
@@ -78,12 +74,15 @@ impl Reconstructor for HnnCrust {
                        Samples. SGP 2016",
             guarantees: &[
                 Guarantee {
-                    condition: Condition::Rho,
-                    bound: 0.9,
+                    claimed: SamplingBound::Rho(0.9),
+                    standing: Standing::Refuted {
+                        proven_below: 0.6786,
+                        fails_from: 0.895_018,
+                    },
                 },
                 Guarantee {
-                    condition: Condition::Epsilon,
-                    bound: 0.47,
+                    claimed: SamplingBound::Epsilon(0.47),
+                    standing: Standing::ProvenBelow(0.4042),
                 },
             ],
             cost: "O(n log n)",

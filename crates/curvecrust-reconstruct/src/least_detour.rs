@@ -1,22 +1,26 @@
-//! Least detour: a minimum-cost triangle-free 2-matching of Delaunay edges, with penalties for free ends,
-//! improved by Lin-Kernighan moves. Of this project; `docs/method.md` says more.
+//! Least detour: a minimum-cost triangle-free 2-matching of Delaunay edges, with penalties for free
+//! ends, improved by Lin-Kernighan moves. Of this project; `docs/method.md` says more.
 //!
-//! A 2-matching is a set of edges with at most two at each point (Edmonds 1965), and a triangle-free one
-//! has no cycle of three edges (D. Hartvigsen, "Extensions of Matching Theory", thesis, Carnegie Mellon
-//! University, 1984). A point with fewer than two edges has free ends. A 2-matching costs the sum of
+//! A 2-matching is a set of edges with at most two at each point (Edmonds 1965), and a
+//! triangle-free one has no cycle of three edges (D. Hartvigsen, "Extensions of Matching Theory",
+//! thesis, Carnegie Mellon University, 1984). A point with fewer than two edges has free ends. A
+//! 2-matching costs the sum of
 //! - the **lengths** of its edges,
-//! - the **detour** at every point v with edges to p and q, |vp| + |vq| - |pq|: nothing where the curve
-//!   goes straight on, twice the shorter edge where it turns back,
-//! - the **penalty** of every free end, 2.25 times the expected length of an edge there; less at the end
-//!   of an even run of points, and at an isolated point to which no curve nearby continues.
+//! - the **detour** at every point v with edges to p and q, |vp| + |vq| - |pq|: nothing where the
+//!   curve goes straight on, twice the shorter edge where it turns back,
+//! - the **penalty** of every free end, 2.25 times the expected length of an edge there; less at
+//!   the end of an even run of points, and at an isolated point to which no curve nearby continues.
 //!
-//! Sought is the cheapest one. Lengths express proximity, detours good continuation, and penalties let
-//! a curve end where going on would cost more. The result may be any number of curves, open or closed.
-//! Since a detour depends on two edges, this is no linear matching problem, and it is not solved exactly:
+//! Sought is the cheapest one. Lengths express proximity, detours good continuation, and penalties
+//! let a curve end where going on would cost more. The result may be any number of curves, open or
+//! closed. Since a detour depends on two edges, this is no linear matching problem, and it is not
+//! solved exactly:
 //!
-//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that continue almost straight at
+//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that continue almost
+//!    straight at
 //!    both ends, stay.
-//! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a free end
+//! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a
+//!    free end
 //!    and the edge is shorter than the penalties of both.
 //! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve added edges (Lin,
 //!    Kernighan 1973), as long as that lowers the cost.
@@ -25,12 +29,12 @@
 //! - Edges never cross: they are Delaunay.
 //! - The true edges are among the candidates for every rho-sample with rho < 1 and every
 //!   epsilon-sample with epsilon < 1. Where the bisector of consecutive samples meets the curve
-//!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside it
-//!   is one arc, which holds no other sample: the disc is empty.
+//!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
+//!   it is one arc, which holds no other sample: the disc is empty.
 //! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
-//!   edges (SGP 2016, Theorem 3), the beta-skeleton with beta = 1.7 too (Amenta, Bern, Eppstein 1998),
-//!   whose edges are all in the one-step crust, and by Lemma 9 of SGP 2016 they turn by less than
-//!   step 1 allows. So all true edges are certified, and no end is free.
+//!   edges (SGP 2016, Theorem 3), the beta-skeleton with beta = 1.7 too (Amenta, Bern, Eppstein
+//!   1998), whose edges are all in the one-step crust, and by Lemma 9 of SGP 2016 they turn by less
+//!   than step 1 allows. So all true edges are certified, and no end is free.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!
@@ -51,7 +55,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
-use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
 use crate::hnn_crust::HnnCrust;
@@ -92,10 +96,7 @@ impl Reconstructor for LeastDetour {
         AlgorithmInfo {
             name: "least-detour",
             citation: "The curvecrust authors: docs/method.md of this project. 2026",
-            guarantees: &[Guarantee {
-                condition: Condition::Epsilon,
-                bound: 0.297,
-            }],
+            guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.297))] },
             cost: "O(n log n)",
             honours_termini: true,
         }

@@ -5,11 +5,11 @@
 //! its medial axis. All of them keep one contract ([`Reconstructor`]) and stand in one list
 //! ([`ALGORITHMS`]), from which this table is checked:
 //!
-//! | name | source | correct for closed smooth curves with | cost | termini |
+//! | name | source | claimed correct for closed smooth curves with | cost | termini |
 //! |---|---|---|---|---|
 //! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | epsilon < 0.297 | O(n log n) | yes |
-//! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9, epsilon < 0.47 | O(n log n) | yes |
-//! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9, epsilon < 0.47 | O(n log n) | yes |
+//! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | O(n log n) | yes |
+//! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | O(n log n) | yes |
 //! | [`nn-crust`] | Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction. SODA 1999 | epsilon < 0.333 | O(n log n) | no |
 //! | [`crust`] | Amenta, Bern, Eppstein: The Crust and the beta-Skeleton: Combinatorial Curve Reconstruction. GMIP 1998 | epsilon < 0.252 | O(n log n) | no |
 //! | [`one-step-crust`] | Gold, Snoeyink: A One-Step Crust and Skeleton Extraction Algorithm. Algorithmica 2001 | none known | O(n log n) | no |
@@ -45,8 +45,10 @@
 //! ```
 
 pub mod algorithm;
+pub mod algorithms;
 pub mod beta_skeleton;
 pub mod crust;
+mod delaunay_edges;
 pub mod error;
 mod exact;
 pub mod explanation;
@@ -58,21 +60,23 @@ pub mod one_step_crust;
 mod pencil;
 pub mod reconstruction;
 mod rings;
-mod sight;
 pub mod skeleton;
 pub mod sphere_of_influence;
+mod subtended_angle;
 mod termini;
 pub mod violations;
 mod voronoi_vertex;
 mod voronoi_vertices;
 
-pub use algorithm::{ALGORITHMS, AlgorithmInfo, Condition, Guarantee, Reconstructor};
+pub use algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound, Standing};
+pub use algorithms::ALGORITHMS;
 pub use beta_skeleton::{Beta, BetaSkeleton, beta_skeleton};
 pub use crust::{Crust, crust};
 pub use error::ReconstructError;
 pub use explanation::{ExplainedEdge, Explanation, FreeEnd, Reason, Rejected};
-pub use hnn_crust::{HnnCrust, Keep, hnn_crust};
+pub use hnn_crust::{HnnCrust, hnn_crust};
 pub use least_detour::{LeastDetour, least_detour};
+pub use neighbours::Keep;
 pub use nn_crust::{NnCrust, nn_crust};
 pub use one_step_crust::{CrustAndSkeleton, OneStepCrust, one_step_crust};
 pub use reconstruction::{NestedChain, Reconstruction};

@@ -12,13 +12,15 @@ mod tree;
 use curvecrust_geometry::{EdgeSet, PointId, PointSet, hilbert_order};
 use rayon::prelude::*;
 
-use crate::hnn_crust::Keep;
 use kernel::{Choice, TASK};
 use search::NONE;
 use tree::Tree;
 
+pub use edges::Keep;
+
 /// The two points to which a point of a curve may be joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Neighbours {
     /// The closest other point; `None` iff there is no other point.
     pub nearest: Option<PointId>,
@@ -106,7 +108,7 @@ impl Choices {
         self
     }
 
-    /// The edges that points chose and `keep` wants.
+    /// The edges that points chose and `keep` keeps.
     pub(crate) fn edges(&self, keep: Keep) -> EdgeSet {
         edges::kept(&self.order, &self.chosen, keep)
     }
@@ -156,8 +158,8 @@ mod tests {
             .prop_map(|p| PointSet::merging_duplicates(p).unwrap().points)
     }
 
-    /// Ties on a grid, a spiral down to 2^-60, a distant cluster and a far outlier: several levels of
-    /// the tree, of keys and of everything that is not certain at first.
+    /// Ties on a grid, a spiral down to 2^-60, a distant cluster and a far outlier: several levels
+    /// of the tree, of keys and of everything that is not certain at first.
     fn uneven_points() -> PointSet {
         let grid = (0..900).map(|i| DVec2::new(f64::from(i % 30), f64::from(i / 30)));
         let spiral = (0..1500).map(|i| {

@@ -11,9 +11,8 @@
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Condition, Guarantee, Reconstructor};
-use crate::hnn_crust::Keep;
-use crate::neighbours::{Choices, HalfRule};
+use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::neighbours::{Choices, HalfRule, Keep};
 
 /// The edges of NN-Crust.
 ///
@@ -44,10 +43,7 @@ impl Reconstructor for NnCrust {
         AlgorithmInfo {
             name: "nn-crust",
             citation: "Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction. SODA 1999",
-            guarantees: &[Guarantee {
-                condition: Condition::Epsilon,
-                bound: 1.0 / 3.0,
-            }],
+            guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(1.0 / 3.0))] },
             cost: "O(n log n)",
             honours_termini: false,
         }

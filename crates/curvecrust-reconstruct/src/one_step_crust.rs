@@ -4,9 +4,9 @@
 //!
 //! Take a Delaunay edge pq and its dual, the Voronoi edge v1 v2. If some disc through p and q holds
 //! neither v1 nor v2, then pq belongs to the crust, else v1 v2 belongs to the skeleton or
-//! anti-crust, an estimate of the medial axis from samples alone. Seen from its
-//! apexes, pq is a crust edge iff both angles are acute and sum to 90 degrees at most; with the
-//! offsets t1, t2 of v1, v2 from the midpoint along the bisector, iff t1 < 0 < t2 and
+//! anti-crust, an estimate of the medial axis from samples alone. In terms of the angles that pq
+//! subtends at its apexes, it is a crust edge iff both are acute and sum to 90 degrees at most;
+//! with the offsets t1, t2 of v1, v2 from the midpoint along the bisector, iff t1 < 0 < t2 and
 //! |t1| t2 >= |pq|^2 / 4. An unbounded side has an angle of 0.
 //!
 //! Contains every edge of [`crust`](mod@crate::crust), which asks the same of all Voronoi vertices
@@ -31,14 +31,15 @@
 //! Cost: that of the Delaunay triangulation, O(n log n).
 
 use curvecrust_geometry::{EdgeSet, PointSet};
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
-use crate::sight::{Sight, edge_of, filtered, sights};
+use crate::delaunay_edges::{edge_of, filtered, is_crust_edge};
 use crate::skeleton::{Skeleton, SkeletonEdge};
 
 /// What the one-step crust finds: each Delaunay edge is in the crust, or its dual in the skeleton.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CrustAndSkeleton {
     /// The crust.
     pub crust: EdgeSet,
@@ -78,16 +79,6 @@ pub fn one_step_crust(points: &PointSet) -> CrustAndSkeleton {
         crust: EdgeSet::new(points.len(), crust.iter().filter_map(edge_of)),
         skeleton: Skeleton::new(points, skeleton.collect()),
     }
-}
-
-/// Whether some disc through the ends of the edge holds neither end of its dual.
-pub(crate) fn is_crust_edge(points: &PointSet, dual: &DualEdge) -> bool {
-    let sights = sights(points, dual);
-    sights.iter().flatten().all(Sight::is_acute)
-        && match &sights {
-            [Some(left), Some(right)] => left.sums_to_right_angle_at_most(right),
-            _ => true,
-        }
 }
 
 /// The one-step crust behind the common contract.

@@ -15,8 +15,8 @@ use crate::voronoi_vertex::VoronoiVertex;
 /// Half a unit in the last place of 1: the relative error of one operation.
 const U: f64 = f64::EPSILON / 2.0;
 
-/// All discs with p and q on their boundary, each named by the cotangent of the angle under which
-/// pq is seen from its boundary on the left: 0 for the smallest disc, more for centres to the left.
+/// All discs with p and q on their boundary, each named by the cotangent of the angle that
+/// pq subtends at its boundary on the left: 0 for the smallest disc, more for centres to the left.
 pub(crate) struct Pencil<'a> {
     points: &'a PointSet,
     ends: [PointId; 2],
@@ -24,7 +24,8 @@ pub(crate) struct Pencil<'a> {
     q: DVec2,
     /// q - p.
     across: DVec2,
-    /// The exact cotangents computed so far, by vertex: on a grid all are asked for again and again.
+    /// The exact cotangents computed so far, by vertex: on a grid all are asked for again and
+    /// again.
     exact: RefCell<HashMap<*const VoronoiVertex, Rc<Cotangent>>>,
 }
 
@@ -63,22 +64,22 @@ impl<'a> Pencil<'a> {
         }
     }
 
-    /// Centre, as seen from an origin, and squared radius of a disc, the radius enlarged by more than
-    /// all rounding errors, so that the disc holds the rounded place of each vertex inside the true
-    /// disc; `None` beyond the range of doubles.
+    /// Centre, as seen from an origin, and squared radius of a disc, the radius enlarged by more
+    /// than all rounding errors, so that the disc holds the rounded place of each vertex inside the
+    /// true disc; `None` beyond the range of doubles.
     pub(crate) fn disc(&self, cotangent: f64, origin: DVec2) -> Option<(DVec2, f64)> {
         let to_centre = (self.across + cotangent * self.across.perp()) / 2.0;
         let centre = (self.p - origin) + to_centre;
         // A vertex errs by 2^-20 of its distance to a sample, so by 2^-19 of the radius.
-        let reach = to_centre.length() * (1.0 + 2f64.powi(-18)) + 64.0 * U * centre.length();
-        let squared = reach * reach;
+        let radius = to_centre.length() * (1.0 + 2f64.powi(-18)) + 64.0 * U * centre.length();
+        let squared = radius * radius;
         squared.is_finite().then_some((centre, squared))
     }
 
     /// What the vertex does: the side exactly, the cut with bounds.
     ///
-    /// It is seen from the nearer end: from the other one, all that is close to the nearer one looks
-    /// as if it were on the line through both.
+    /// It is seen from the nearer end: from the other one, all that is close to the nearer one
+    /// looks as if it were on the line through both.
     pub(crate) fn effect<'v>(&self, vertex: &'v VoronoiVertex) -> Effect<'v> {
         let [from_p, from_q] = [self.p, self.q].map(|end| vertex.seen_from(end));
         let (seen, to_other_end) = if from_p.error <= from_q.error {
@@ -144,7 +145,8 @@ impl<'a> Pencil<'a> {
         Rc::clone(exact)
     }
 
-    /// The cotangent under which the vertex sees pq, from the coordinates of its triangle.
+    /// The cotangent of the angle that pq subtends at the vertex, from the coordinates of its
+    /// triangle.
     fn compute_exact(&self, vertex: &VoronoiVertex) -> Cotangent {
         let ([p, q], [a, b, c]) = (self.ends, vertex.corners);
         let points = [p, q, a, b, c].map(|id| self.points[id]);
@@ -172,7 +174,7 @@ struct Cotangent {
 }
 
 impl Cotangent {
-    /// Of the angle under which the circumcentre of `a`, `b`, `c` sees `p` and `q`.
+    /// Of the angle that `pq` subtends at the circumcentre of `a`, `b`, `c`.
     fn of<T: Signed + Into<BigInt>>([p, q, a, b, c]: &[Vector<T>; 5]) -> Self
     where
         for<'t> &'t T: RefNum<T>,
@@ -213,7 +215,8 @@ mod tests {
         ([9.0, -2.0], [11.0, -1.0]),
     ];
 
-    /// The ends, and a triangle around a vertex that is known, by points of the grid at distance 65.
+    /// The ends, and a triangle around a vertex that is known, by points of the grid at distance
+    /// 65.
     fn planted(ends: ([f64; 2], [f64; 2]), scale: f64) -> PointSet {
         let corners = [[70.0, 13.0], [-9.0, 60.0], [-26.0, -59.0]];
         let all = [ends.0, ends.1].into_iter().chain(corners);

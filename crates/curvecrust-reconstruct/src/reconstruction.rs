@@ -36,6 +36,7 @@ pub struct Reconstruction {
 
 /// A maximal chain of a reconstruction, cut at junctions.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct NestedChain {
     /// Its vertices in order. A ring runs counter-clockwise: its signed area is positive, also
     /// where it crosses itself. It starts at its smallest vertex. An open chain, and a ring
@@ -47,9 +48,9 @@ pub struct NestedChain {
     /// A ring surrounds another if its even-odd interior holds the vertex of the other that comes
     /// first by x, then y. For rings that do not cross, any vertex would do.
     pub nesting: Option<u32>,
-    /// The ring right around a ring, as a position in [`Reconstruction::chains`]: the first of those
-    /// that surround it whose nesting is one less. `None` on the outside, for an open chain, and where
-    /// rings cross so that there is no such ring.
+    /// The ring right around a ring, as a position in [`Reconstruction::chains`]: the first of
+    /// those that surround it whose nesting is one less. `None` on the outside, for an open chain,
+    /// and where rings cross so that there is no such ring.
     pub parent: Option<usize>,
 }
 

@@ -81,8 +81,8 @@ impl<'a> Surroundings<'a> {
         (0..self.chains.len()).into_par_iter().map(count).collect()
     }
 
-    /// For each chain the first of the rings around it that one less surround; `None` for open chains,
-    /// and where there is no such ring.
+    /// For each chain the first of the rings around it that one less surround; `None` for open
+    /// chains, and where there is no such ring.
     pub(crate) fn parents(&self, nesting: &[Option<u32>]) -> Vec<Option<usize>> {
         let parent = |ring: usize| {
             let outer = nesting[ring]?.checked_sub(1)?;

@@ -82,10 +82,10 @@ impl OnBisector {
         away.x.hypot(away.y)
     }
 
-    /// The part no farther than `reach` from a place, or a little more; `None` if there is none.
-    fn clipped(&self, place: DVec2, reach: f64) -> Option<Segment> {
+    /// The part no farther than `radius` from a place, or a little more; `None` if there is none.
+    fn clipped(&self, place: DVec2, radius: f64) -> Option<Segment> {
         let middle = (place - self.foot).dot(self.axis);
-        let (from, to) = (self.from.max(middle - reach), self.to.min(middle + reach));
+        let (from, to) = (self.from.max(middle - radius), self.to.min(middle + radius));
         let at = |t: f64| self.foot + t * self.axis;
         (from <= to).then(|| Segment::new(at(from), at(to)))
     }
@@ -130,18 +130,19 @@ impl Skeleton {
         };
         let nearest = self.lines.iter().map(|line| line.distance(first));
         let nearest = nearest.fold(f64::INFINITY, f64::min);
-        // No point is farther from the skeleton than this, nor is that place farther from the first.
+        // No point is farther from the skeleton than this, nor is that place farther from the
+        // first.
         let extent = points
             .points()
             .iter()
             .map(|p| p.distance(first))
             .fold(0.0, f64::max);
-        let reach = 2.0 * extent + nearest;
-        if reach > FARTHEST {
+        let radius = 2.0 * extent + nearest;
+        if radius > FARTHEST {
             return vec![f64::INFINITY; points.len()];
         }
         let near = self.lines.iter();
-        let near = near.filter_map(|line| line.clipped(first, 1.01 * reach));
+        let near = near.filter_map(|line| line.clipped(first, 1.01 * radius));
         let tree = RTree::bulk_load(near.map(Piece).collect());
         let distance = |&p: &DVec2| {
             tree.nearest_neighbor(p.into())

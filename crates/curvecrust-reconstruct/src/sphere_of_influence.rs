@@ -12,13 +12,14 @@
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
+use crate::delaunay_edges::{filtered, has_length};
 use crate::neighbours::{HalfRule, neighbours};
-use crate::sight::{filtered, has_length};
 
 /// The sphere-of-influence graph among Delaunay edges; circles that touch meet.
 ///
 /// The diagonals of cocircular points, of which a triangulation may take any, are left out: the
-/// Voronoi cells of their ends share no more than a point. Distances are compared in floating point.
+/// Voronoi cells of their ends share no more than a point. Distances are compared in floating
+/// point.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
@@ -34,8 +35,8 @@ pub fn sphere_of_influence(points: &PointSet) -> EdgeSet {
     let radius = nearest_distances(points);
     filtered(points, |dual| {
         let [p, q] = dual.ends;
-        let reach = radius[p.index()] + radius[q.index()];
-        points[p].distance(points[q]) <= reach && has_length(points, dual)
+        let radii = radius[p.index()] + radius[q.index()];
+        points[p].distance(points[q]) <= radii && has_length(points, dual)
     })
 }
 

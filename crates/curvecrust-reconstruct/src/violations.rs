@@ -10,8 +10,8 @@ use crate::reconstruction::check_vertices;
 /// If the curves are closed, each vertex must have two edges: at leaves, isolated points and
 /// junctions the condition was violated, or an open curve ends. Elsewhere [`joints`](Self::joints)
 /// tell how near it is to that: a sampling with rho < 0.9 has angles above 73 degrees, one with
-/// epsilon < 0.47 above 126 degrees (Lemma 8 and Table 1 of Ohrhallinger, Mitchell, Wimmer 2016),
-/// and HNN-Crust makes none below 60.
+/// epsilon < 0.47 above 74 degrees (Lemmas 8 and 9 of Ohrhallinger, Mitchell, Wimmer 2016), or
+/// above 126 where the curvature is constant (Table 1). HNN-Crust makes none below 60.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
@@ -26,6 +26,7 @@ use crate::reconstruction::check_vertices;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ViolationReport {
     /// Vertices with one edge, ascending.
     pub leaves: Vec<PointId>,
@@ -39,6 +40,7 @@ pub struct ViolationReport {
 
 /// A vertex with two edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Joint {
     /// The vertex.
     pub vertex: PointId,

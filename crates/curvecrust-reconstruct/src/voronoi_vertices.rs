@@ -38,7 +38,8 @@ impl Indexed {
         }
     }
 
-    /// Visits all vertices in a disc of the pencil, and perhaps a few around it, until told to stop.
+    /// Visits all vertices in a disc of the pencil, and perhaps a few around it, until `visit`
+    /// breaks.
     fn in_disc<'v>(
         &'v self,
         pencil: &Pencil<'_>,
@@ -49,9 +50,9 @@ impl Indexed {
             return ControlFlow::Continue(());
         }
         match pencil.disc(cotangent, self.origin) {
-            Some((centre, reach_squared)) => self
+            Some((centre, radius_squared)) => self
                 .tree
-                .locate_within_distance(centre.into(), reach_squared)
+                .locate_within_distance(centre.into(), radius_squared)
                 .try_for_each(|item| visit(&self.vertices[item.data])),
             // A disc too large for a tree holds them all.
             None => self.vertices.iter().try_for_each(visit),
@@ -63,37 +64,38 @@ impl Indexed {
 pub(crate) struct VoronoiVertices<'a> {
     points: &'a PointSet,
     delaunay: &'a Delaunay,
-    /// Those that may lie in the smallest disc of an edge to be asked about: where samples are dense
-    /// these are few.
+    /// Those that may lie in the smallest disc of an edge to be asked about: where samples are
+    /// dense these are few.
     near: Indexed,
     /// All others, indexed if the smallest disc of some edge is not free.
     far: OnceLock<Indexed>,
-    reach: f64,
+    /// The largest circumradius of those that are near.
+    radius: f64,
 }
 
 impl<'a> VoronoiVertices<'a> {
     /// For questions about edges up to a length.
     pub(crate) fn new(points: &'a PointSet, delaunay: &'a Delaunay, longest: f64) -> Self {
-        // What lies in the disc with diameter pq is no farther from p or q than |pq| / sqrt 2; and a
-        // little more, for rounding.
-        let reach = FRAC_1_SQRT_2 * longest * (1.0 + 2f64.powi(-10));
+        // What lies in the disc with diameter pq is no farther from p or q than |pq| / sqrt 2; and
+        // a little more, for rounding.
+        let radius = FRAC_1_SQRT_2 * longest * (1.0 + 2f64.powi(-10));
         let near = delaunay
             .triangles()
-            .filter(|&triangle| is_small(points, triangle, reach))
+            .filter(|&triangle| is_small(points, triangle, radius))
             .map(|triangle| VoronoiVertex::new(points, triangle));
         Self {
             points,
             delaunay,
             near: Indexed::new(points, near.collect()),
             far: OnceLock::new(),
-            reach,
+            radius,
         }
     }
 
     fn far(&self) -> &Indexed {
         self.far.get_or_init(|| {
             let triangles = self.delaunay.triangles();
-            let others = triangles.filter(|&t| !is_small(self.points, t, self.reach));
+            let others = triangles.filter(|&t| !is_small(self.points, t, self.radius));
             let others: Vec<[PointId; 3]> = others.collect();
             let vertex = |&triangle| VoronoiVertex::new(self.points, triangle);
             Indexed::new(self.points, others.par_iter().map(vertex).collect())
@@ -138,7 +140,7 @@ impl<'a> VoronoiVertices<'a> {
         !range.is_empty(&pencil)
     }
 
-    /// Visits all vertices in a disc, and perhaps a few around it, until told to stop.
+    /// Visits all vertices in a disc, and perhaps a few around it, until `visit` breaks.
     fn in_disc<'v>(
         &'v self,
         pencil: &Pencil<'_>,
@@ -155,19 +157,20 @@ impl<'a> VoronoiVertices<'a> {
     }
 }
 
-/// Whether the circumradius of a triangle is, up to rounding, at most `reach`: never false if it is.
-fn is_small(points: &PointSet, triangle: [PointId; 3], reach: f64) -> bool {
+/// Whether the circumradius of a triangle is, up to rounding, at most `radius`: never false if it
+/// is.
+fn is_small(points: &PointSet, triangle: [PointId; 3], radius: f64) -> bool {
     let [a, b, c] = triangle.map(|id| points[id]);
     let (ab, ac, bc) = (b - a, c - a, c - b);
     let [x, y, z] = [ab, ac, bc].map(DVec2::length);
     // A circle is no smaller than its chords.
-    if x.max(y).max(z) > 2.0 * reach {
+    if x.max(y).max(z) > 2.0 * radius {
         return false;
     }
     // Each product errs by 3 U of itself, their difference by one more.
     let terms = (ab.x * ac.y).abs() + (ab.y * ac.x).abs();
     let twice_area = ab.perp_dot(ac) + 8.0 * U * terms;
-    x * y * z <= 2.0 * reach * twice_area
+    x * y * z <= 2.0 * radius * twice_area
 }
 
 /// The discs of a pencil that no vertex has ruled out, by their cotangents: from `low` to `high`,

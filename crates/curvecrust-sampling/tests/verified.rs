@@ -97,10 +97,9 @@ struct Unknown;
 
 impl Reconstructor for Unknown {
     fn info(&self) -> AlgorithmInfo {
-        AlgorithmInfo {
-            name: "unknown",
-            ..HnnCrust::MUTUAL.info()
-        }
+        let mut info = HnnCrust::MUTUAL.info();
+        info.name = "unknown";
+        info
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {

@@ -32,14 +32,12 @@ const SHORTER: f64 = 1e-12;
 
 impl Reconstructor for ShortestTour {
     fn info(&self) -> AlgorithmInfo {
-        AlgorithmInfo {
-            name: "shortest-tour",
-            citation: "a reference of this project, after J. Giesen, Curve Reconstruction, the Traveling Salesman Problem and \
-                       Menger's Theorem on Length, SoCG 1999",
-            guarantees: &[],
-            cost: "n^2 and more",
-            honours_termini: false,
-        }
+        AlgorithmInfo::new(
+            "shortest-tour",
+            "a reference of this project, after J. Giesen, Curve Reconstruction, the Traveling Salesman Problem and \
+             Menger's Theorem on Length, SoCG 1999",
+            "n^2 and more",
+        )
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {

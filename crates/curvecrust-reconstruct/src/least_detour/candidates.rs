@@ -7,7 +7,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
-use crate::sight::has_length;
+use crate::delaunay_edges::has_length;
 
 /// Points that make a task.
 const TASK: usize = 1 << 12;

@@ -5,7 +5,7 @@ use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use super::constants::CERTIFIED_COSINE;
 use super::matching::{NONE, add_partners};
-use crate::one_step_crust::is_crust_edge;
+use crate::delaunay_edges::is_crust_edge;
 
 /// The edges that HNN-Crust finds: at most two at each point.
 pub(super) struct HnnGraph<'a> {
@@ -46,8 +46,9 @@ impl<'a> HnnGraph<'a> {
         duals.map(|dual| dual.ends.map(u32::from))
     }
 
-    /// Whether an edge of a graph continues at both ends: another edge of the graph starts there, and
-    /// `is_continuation` accepts the vectors of the two. An edge need not continue at a terminus.
+    /// Whether an edge of a graph continues at both ends: another edge of the graph starts there,
+    /// and `is_continuation` accepts the vectors of the two. An edge need not continue at a
+    /// terminus.
     pub(super) fn continues_at_both_ends<N: Iterator<Item = u32>>(
         &self,
         ends: [u32; 2],

@@ -1,11 +1,11 @@
-//! Exchanges of edges along alternating paths, after S. Lin, B. W. Kernighan, "An Effective Heuristic
-//! Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here for 2-matchings,
-//! so that every alternating path is an exchange: the result need not be one tour.
+//! Exchanges of edges along alternating paths, after S. Lin, B. W. Kernighan, "An Effective
+//! Heuristic Algorithm for the Traveling-Salesman Problem", Operations Research 21(2), 1973; here
+//! for 2-matchings, so that every alternating path is an exchange: the result need not be one tour.
 //!
-//! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on; t2i is
-//! its end. They continue a path while its gain, what is removed less what is added, is positive. Here
-//! the next removal counts too: a long edge in the place of two others would not be found otherwise.
-//! The cost of a path is what it adds to the cost of the matching: minus its gain.
+//! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on;
+//! t2i is its end. They continue a path while its gain, what is removed less what is added, is
+//! positive. Here the next removal counts too: a long edge in the place of two others would not be
+//! found otherwise. The cost of a path is what it adds to the cost of the matching: minus its gain.
 
 use super::candidates::Candidates;
 use super::constants::{BREADTH, DEPTH, ROUNDING};
@@ -75,7 +75,8 @@ pub(super) struct Search<'a, 'b> {
     best: Exchange,
 }
 
-/// A path whose end still seeks a partner, and perhaps its first point too: their free ends are pending.
+/// A path whose end still seeks a partner, and perhaps its first point too: their free ends are
+/// pending.
 #[derive(Clone, Copy)]
 struct OpenPath {
     /// The first point, if it seeks a partner.
@@ -86,7 +87,8 @@ struct OpenPath {
     added: usize,
     /// What the path adds to the cost, without penalties for pending free ends.
     cost: f64,
-    /// The sum of all lengths, detours and penalties, removed or added, from which the cost results.
+    /// The sum of all lengths, detours and penalties, removed or added, from which the cost
+    /// results.
     magnitude: f64,
 }
 
@@ -114,8 +116,8 @@ impl<'a, 'b> Search<'a, 'b> {
         (self.best.path.len > 0).then_some(self.best)
     }
 
-    /// Exchanges that begin at a point: they remove one of its edges that are not certified, or both, or
-    /// add one at a free end.
+    /// Exchanges that begin at a point: they remove one of its edges that are not certified, or
+    /// both, or add one at a free end.
     pub(super) fn from(mut self, v: u32) -> Self {
         let partners = self.matching.partners(v);
         let is_removable = |p: u32, matching: &Matching| p != NONE && !matching.is_certified(v, p);
@@ -221,8 +223,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Adds edges from the end to each of its candidates. The path stops at a free end there, or continues
-    /// by removing an edge of the candidate.
+    /// Adds edges from the end to each of its candidates. The path stops at a free end there, or
+    /// continues by removing an edge of the candidate.
     fn extend(&mut self, open: OpenPath) {
         let candidates = self.candidates;
         let Some(&breadth) = BREADTH.get(open.added) else {
@@ -282,8 +284,8 @@ impl<'a, 'b> Search<'a, 'b> {
         self.matching.remove(open.end, to);
     }
 
-    /// The path once the edge from its end to a point has replaced the edge from there to a partner, which
-    /// is the next end; `None` where that is not allowed.
+    /// The path once the edge from its end to a point has replaced the edge from there to a
+    /// partner, which is the next end; `None` where that is not allowed.
     fn replacing(&mut self, open: OpenPath, to: u32, partner: u32) -> Option<OpenPath> {
         let OpenPath { t1, end, .. } = open;
         // A terminus has one partner.
@@ -319,7 +321,8 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// The path once it has an edge to an isolated point, which is the next end; `None` for other points.
+    /// The path once it has an edge to an isolated point, which is the next end; `None` for other
+    /// points.
     fn passing(&mut self, open: OpenPath, to: u32) -> Option<OpenPath> {
         let OpenPath { t1, end, .. } = open;
         if self.matching.free_ends(to) < 2 || t1 == Some(to) {
@@ -339,8 +342,8 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// Searches on from `next`, the path after the edge from `end` to a point, and perhaps the removal of
-    /// an edge there.
+    /// Searches on from `next`, the path after the edge from `end` to a point, and perhaps the
+    /// removal of an edge there.
     fn follow(&mut self, end: u32, to: u32, next: OpenPath) {
         let steps = self.path.len;
         let removes = next.end != to;

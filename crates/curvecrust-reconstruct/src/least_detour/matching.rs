@@ -1,7 +1,8 @@
 //! A 2-matching, and what its points cost.
 //!
-//! A 2-matching is a set of edges with at most two at each point (J. Edmonds, "Maximum Matching and a
-//! Polyhedron with 0,1-Vertices", Journal of Research of the National Bureau of Standards 69B, 1965).
+//! A 2-matching is a set of edges with at most two at each point (J. Edmonds, "Maximum Matching and
+//! a Polyhedron with 0,1-Vertices", Journal of Research of the National Bureau of Standards 69B,
+//! 1965).
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet};
 
@@ -108,8 +109,8 @@ impl<'a> Matching<'a> {
         }
     }
 
-    /// What a point costs: its detour if it has two edges, else the penalty of its free ends, without
-    /// those that are `pending`: a path still seeks a partner for them.
+    /// What a point costs: its detour if it has two edges, else the penalty of its free ends,
+    /// without those that are `pending`: a path still seeks a partner for them.
     pub(super) fn cost(&self, v: u32, pending: usize) -> f64 {
         match self.partners(v) {
             [p, q] if p != NONE && q != NONE => {

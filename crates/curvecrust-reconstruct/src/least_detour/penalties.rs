@@ -41,11 +41,11 @@ impl PenaltyModel<'_> {
         (0u32..).take(self.points.len()).map(penalty).collect()
     }
 
-    /// The expected length of an edge is the longest of the spacings of the two closest candidates and of
-    /// the trusted edges at the point. The penalty of a free end is [`PENALTY`] times that, or times the
-    /// distance to the nearest neighbour if that is longer. At the end of an even run it is at most
-    /// [`RUN_PENALTY`] times the spacing of the run. Two free ends cost twice as much, but no more than
-    /// one at a point that continues no neighbour.
+    /// The expected length of an edge is the longest of the spacings of the two closest candidates
+    /// and of the trusted edges at the point. The penalty of a free end is [`PENALTY`] times that,
+    /// or times the distance to the nearest neighbour if that is longer. At the end of an even run
+    /// it is at most [`RUN_PENALTY`] times the spacing of the run. Two free ends cost twice as
+    /// much, but no more than one at a point that continues no neighbour.
     fn penalty(&self, v: u32) -> Penalty {
         let closest = self.candidates.of(v).iter().take(SPACING_NEIGHBOURS);
         let around = closest.map(|&w| self.spacing(w)).fold(0.0, f64::max);
@@ -65,8 +65,8 @@ impl PenaltyModel<'_> {
         }
     }
 
-    /// The length of an edge at a point as far as the point alone shows it: the distance to its nearest
-    /// neighbour, or its longest trusted edge.
+    /// The length of an edge at a point as far as the point alone shows it: the distance to its
+    /// nearest neighbour, or its longest trusted edge.
     fn spacing(&self, v: u32) -> f64 {
         self.to_nearest(v).max(self.longest_trusted(v))
     }
@@ -76,9 +76,9 @@ impl PenaltyModel<'_> {
         nearest.map_or(0.0, |&w| self.distance(v, w))
     }
 
-    /// The length of the longest trusted edge at a point; 0 if there is none. HNN-Crust finds a trusted
-    /// edge, or the one-step crust between points that are not saturated; and it continues at both ends,
-    /// by edges of the same graph, with turns of a rho-sample.
+    /// The length of the longest trusted edge at a point; 0 if there is none. HNN-Crust finds a
+    /// trusted edge, or the one-step crust between points that are not saturated; and it continues
+    /// at both ends, by edges of the same graph, with turns of a rho-sample.
     fn longest_trusted(&self, v: u32) -> f64 {
         let by_hnn = self.longest_continuing(v, |v| self.hnn.neighbours(v));
         by_hnn.max(self.longest_continuing(v, |v| self.crust.neighbours(v)))
@@ -96,8 +96,8 @@ impl PenaltyModel<'_> {
         edges.map(|w| self.distance(v, w)).fold(0.0, f64::max)
     }
 
-    /// The even run that ends at a point: it is the only one that leads there, no point that may become
-    /// a partner lies ahead, and no trusted edge is much longer.
+    /// The even run that ends at a point: it is the only one that leads there, no point that may
+    /// become a partner lies ahead, and no trusted edge is much longer.
     fn run_ending_at(&self, v: u32) -> Option<Run> {
         let mut runs = self.hnn.neighbours(v).filter_map(|w| self.run(v, w));
         let run = runs.next().filter(|_| runs.next().is_none())?;
@@ -128,9 +128,10 @@ impl PenaltyModel<'_> {
         (most <= EVEN_RATIO * least).then_some(Run { previous, spacing })
     }
 
-    /// Whether the curve through some neighbour may continue to this point. The neighbour is a candidate
-    /// that is not saturated; its three closest other candidates have no pair between which a curve goes
-    /// straight on; and from one of them the turn to this point is possible, or there are no others.
+    /// Whether the curve through some neighbour may continue to this point. The neighbour is a
+    /// candidate that is not saturated; its three closest other candidates have no pair between
+    /// which a curve goes straight on; and from one of them the turn to this point is possible, or
+    /// there are no others.
     fn continues_a_neighbour(&self, v: u32) -> bool {
         let continues_to_v = |w: u32| {
             let others = || {

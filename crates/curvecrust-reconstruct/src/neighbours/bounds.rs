@@ -38,7 +38,8 @@ impl Rect {
 ///
 /// A corner that is cut by `c` is farther than `c` from all points, by the sum of both distances in
 /// units of the sides of the rectangle. Points on a curve lie along a diagonal of their box: two of
-/// its corners are cut by nearly 1, and a half-plane that touches the curve does not reach the rest.
+/// its corners are cut by nearly 1, and a half-plane that touches the curve does not reach the
+/// rest.
 pub(super) type Cuts = [f32; 4];
 
 /// A rectangle around points, and its empty corners.

@@ -98,8 +98,8 @@ impl Candidates {
         }
     }
 
-    /// The keys of the three closest candidates of each of some points, infinite where there are not
-    /// so many. A point is no candidate for itself.
+    /// The keys of the three closest candidates of each of some points, infinite where there are
+    /// not so many. A point is no candidate for itself.
     #[inline(always)]
     pub(super) fn closest(&self, to_x: &[f64; LANES], to_y: &[f64; LANES]) -> [[f64; LANES]; 3] {
         let [mut first, mut second, mut third] = [[f64::INFINITY; LANES]; 3];
@@ -166,7 +166,8 @@ impl Candidates {
     }
 
     /// The closest candidate other than `s` in the half-plane, or at all without one; ties and
-    /// signs are decided exactly. It must be known to be no farther than `bound`, if that is finite.
+    /// signs are decided exactly. It must be known to be no farther than `bound`, if that is
+    /// finite.
     #[inline(always)]
     pub(super) fn search(&self, s: DVec2, plane: Option<&HalfPlane>, mut bound: f64) -> Best {
         if let Some(plane) = plane

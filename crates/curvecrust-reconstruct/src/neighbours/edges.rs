@@ -7,17 +7,26 @@ use rayon::prelude::*;
 
 use super::kernel::Choice;
 use super::search::NONE;
-use crate::hnn_crust::Keep;
 
 /// Points that make a task.
 const TASK: usize = 1 << 12;
 
-/// The edges that points chose and `keep` wants, from their ids and choices in spatial order.
+/// Which of the edges that samples chose are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// Those that both ends chose: every vertex has degree 2 at most.
+    Mutual,
+    /// All: no choice is lost, but vertices may branch, and open curves whose termini are not
+    /// marked get extra edges at their ends.
+    Union,
+}
+
+/// The edges that points chose and `keep` keeps, from their ids and choices in spatial order.
 ///
 /// Choices are compared in that order, in which those of neighbours are close in memory. Each point
 /// then reports its edges to points with larger ids in a slot of its own. Reading the slots by id
-/// gives the edges ascending, without a sort but for those that only the larger end chose: on curves
-/// few or none.
+/// gives the edges ascending, without a sort but for those that only the larger end chose: on
+/// curves few or none.
 pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
     let count = order.len();
     let empty = || AtomicU64::new(0);

@@ -28,14 +28,14 @@ pub(super) const TASK: usize = LEAVES * WIDTH;
 ///
 /// Half neighbours on a curve are nearly always closer; more would be found farther out, but more
 /// candidates cost more than the searches that they save.
-const REACH: f64 = 2.0;
+const MARGIN: f64 = 2.0;
 
-/// A leaf is cut where the spatial order jumps this many reaches: one box around both sides would
-/// be large.
+/// A leaf is cut where the spatial order jumps by this many margins: one box around both sides
+/// would be large.
 const JUMP: f64 = 20.0;
 
-/// Two points in a row that are closer than this fraction of the distance to the next count as one: of
-/// two almost equal curves the neighbours along them are wanted too.
+/// Two points in a row that are closer than this fraction of the distance to the next count as one:
+/// of two almost equal curves the neighbours along them are needed too.
 const COINCIDENT: f64 = 1e-6;
 
 compiled_for_each_processor! {
@@ -66,8 +66,8 @@ impl Kernel<'_> {
     #[inline(always)]
     fn choose(&mut self, leaf: &Leaf, choices: &mut [Choice]) {
         let gaps = gaps(leaf);
-        let reach = REACH * typical_distance(&gaps);
-        let limit = (JUMP * reach) * (JUMP * reach);
+        let margin = MARGIN * typical_distance(&gaps);
+        let limit = (JUMP * margin) * (JUMP * margin);
         let starts = bits(|slot| gaps[slot] > limit);
         let mut first = 0;
         while first < choices.len() {
@@ -75,7 +75,7 @@ impl Kernel<'_> {
             let end = choices
                 .len()
                 .min(first + 1 + later.trailing_zeros() as usize);
-            let rect = leaf.bounds_of(first..end).grown(reach);
+            let rect = leaf.bounds_of(first..end).grown(margin);
             if self.collect(rect).is_none() {
                 self.candidates.clear();
             }
@@ -100,8 +100,8 @@ impl Kernel<'_> {
 
     /// The choices of the points from slot `first` on, given the points in a rectangle around.
     ///
-    /// The second closest point is the half neighbour if it lies in the half-plane, as nearly always
-    /// on a curve.
+    /// The second closest point is the half neighbour if it lies in the half-plane, as nearly
+    /// always on a curve.
     #[inline(always)]
     fn choose_lanes(&self, leaf: &Leaf, first: usize, rect: Rect, choices: &mut [Choice]) {
         let x: [f64; LANES] = std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]);

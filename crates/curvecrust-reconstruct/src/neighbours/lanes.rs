@@ -3,8 +3,8 @@
 /// Points of a leaf, and children of a node.
 pub(super) const WIDTH: usize = 16;
 
-/// A function compiled for AVX-512, for AVX2 and for all processors, of which one is chosen at run time; what it
-/// calls has to be inlined. With the feature `portable` once only.
+/// A function compiled for AVX-512, for AVX2 and for all processors, of which one is chosen at run
+/// time; what it calls has to be inlined. With the feature `portable` once only.
 macro_rules! compiled_for_each_processor {
     ($function:item) => {
         #[cfg_attr(

@@ -69,8 +69,8 @@ impl Query {
     /// Squared distances to the boxes of the children; infinite for those outside the half-plane.
     ///
     /// Rounding is monotonic, so no point of a box is computed to be nearer than its box, or to lie
-    /// further along the half-plane's inside than its corner. By how much that corner is cut may err
-    /// by less than the limit leaves room for.
+    /// further along the half-plane's inside than its corner. By how much that corner is cut may
+    /// err by less than the limit leaves room for.
     #[inline(always)]
     fn to_boxes(&self, node: &Node) -> [f64; WIDTH] {
         let (s, normal) = (self.s, self.normal);

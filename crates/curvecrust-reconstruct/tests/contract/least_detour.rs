@@ -22,6 +22,31 @@ use super::oracles;
 )]
 mod constants;
 
+/// `docs/method.md` lists every constant with its value. It is not there in the published crate.
+#[test]
+fn the_method_lists_every_constant() {
+    let here = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let Ok(method) = std::fs::read_to_string(here.join("../../docs/method.md")) else {
+        return;
+    };
+    let code = include_str!("../../src/least_detour/constants.rs");
+    let constants = code.lines().filter_map(|line| {
+        let (name, rest) = line.strip_prefix("pub(super) const ")?.split_once(": ")?;
+        let (_, value) = rest.split_once(" = ")?;
+        Some((name, value.trim_end_matches(';')))
+    });
+    let constants: Vec<_> = constants.collect();
+    assert_eq!(constants.len(), code.matches("const ").count());
+    for (name, value) in constants {
+        let row = format!("| `{name}` | `{value}` |");
+        assert_eq!(
+            method.matches(&row).count(),
+            1,
+            "docs/method.md lacks {row}"
+        );
+    }
+}
+
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
 struct Definition<'a> {
     points: &'a PointSet,
@@ -331,7 +356,8 @@ impl<'a> Exhaustive<'a> {
     }
 }
 
-/// Nearly all small sets of scattered points, with hardly a certified edge, get the cheapest 2-matching.
+/// Nearly all small sets of scattered points, with hardly a certified edge, get the cheapest
+/// 2-matching.
 #[test]
 fn exchanges_find_the_cheapest_edges_of_nearly_all_small_sets() {
     let mut runner = TestRunner::deterministic();
@@ -403,8 +429,8 @@ fn a_few_points_in_a_row_are_joined() {
     }
 }
 
-/// Half circles with ends beside each other: lengths and detours alone would bridge the gap, but the
-/// penalty at the end of an even run is small.
+/// Half circles with ends beside each other: lengths and detours alone would bridge the gap, but
+/// the penalty at the end of an even run is small.
 #[test]
 fn even_runs_end_and_uneven_ones_continue() {
     let arc = |x: f64, even: bool| {
@@ -429,8 +455,8 @@ fn even_runs_end_and_uneven_ones_continue() {
     assert!(leaves(false) < 4);
 }
 
-/// An outlier beside a straight row is left alone, at every distance of a spacing or more; the tip of
-/// a corner that is as far from both legs is not.
+/// An outlier beside a straight row is left alone, at every distance of a spacing or more; the tip
+/// of a corner that is as far from both legs is not.
 #[test]
 fn an_outlier_is_left_alone() {
     let row = |y: f64| (0..12).map(move |i| DVec2::new(f64::from(i), y * f64::from(i)));

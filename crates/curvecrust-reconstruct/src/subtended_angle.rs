@@ -1,8 +1,6 @@
-//! The angles under which Delaunay edges are seen from their apexes, compared without rounding
-//! error.
+//! The angle that an edge subtends at a point, compared without rounding error.
 
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet, in_circle};
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_geometry::DVec2;
 use glam::Vec2Swizzles;
 use num_traits::{RefNum, Signed};
 
@@ -11,21 +9,21 @@ use crate::exact::{Vector, cross, dot, integers, small_integers, sub};
 /// Half a unit in the last place of 1: the relative error of one operation.
 const U: f64 = f64::EPSILON / 2.0;
 
-/// The edge `pq` as seen from a point to its left.
+/// The angle that the edge `pq` subtends at a point to its left.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sight {
+pub(crate) struct SubtendedAngle {
     p: DVec2,
     q: DVec2,
-    from: DVec2,
+    at: DVec2,
     /// From the point to `p` and to `q`.
     u: DVec2,
     v: DVec2,
 }
 
-impl Sight {
-    pub(crate) fn new(p: DVec2, q: DVec2, from: DVec2) -> Self {
-        let (u, v) = (p - from, q - from);
-        Self { p, q, from, u, v }
+impl SubtendedAngle {
+    pub(crate) fn new(p: DVec2, q: DVec2, at: DVec2) -> Self {
+        let (u, v) = (p - at, q - at);
+        Self { p, q, at, u, v }
     }
 
     /// Whether the angle is below 90 degrees, exactly: the point lies outside the closed disc with
@@ -42,7 +40,7 @@ impl Sight {
 
     #[cold]
     fn is_acute_exactly(&self) -> bool {
-        let points = [self.p, self.q, self.from];
+        let points = [self.p, self.q, self.at];
         match small_integers(points, 2) {
             Some(points) => cosine(&points).is_positive(),
             None => cosine(&integers(points).0).is_positive(),
@@ -55,7 +53,7 @@ impl Sight {
         self.u.dot(self.v) / self.u.perp_dot(self.v).abs()
     }
 
-    /// Whether this angle and that under which `other` sees the edge from its right sum to 90
+    /// Whether this angle and `other`, which the edge subtends at a point to its right, sum to 90
     /// degrees or less, exactly; both must be acute.
     pub(crate) fn sums_to_right_angle_at_most(&self, other: &Self) -> bool {
         // cos(a + b) = cos a cos b - sin a sin b >= 0.
@@ -74,7 +72,7 @@ impl Sight {
     #[cold]
     fn sums_to_right_angle_at_most_exactly(&self, other: &Self) -> bool {
         // Both edges are pq, in either direction.
-        let points = [self.p, self.q, self.from, other.from];
+        let points = [self.p, self.q, self.at, other.at];
         match small_integers(points, 4) {
             Some(points) => !cosine_of_sum(&points).is_negative(),
             None => !cosine_of_sum(&integers(points).0).is_negative(),
@@ -82,7 +80,7 @@ impl Sight {
     }
 }
 
-/// The cosine, times a positive number, of the angle under which `a` sees `p` and `q`.
+/// The cosine, times a positive number, of the angle that `pq` subtends at `a`.
 fn cosine<T: Signed>([p, q, a]: &[Vector<T>; 3]) -> T
 where
     for<'t> &'t T: RefNum<T>,
@@ -90,8 +88,8 @@ where
     dot(&sub(p, a), &sub(q, a))
 }
 
-/// The cosine, times a positive number, of the sum of the angles under which `a` sees `pq` from its
-/// left and `b` from its right.
+/// The cosine, times a positive number, of the sum of the angles that `pq` subtends at `a` to its
+/// left and at `b` to its right.
 fn cosine_of_sum<T: Signed>([p, q, a, b]: &[Vector<T>; 4]) -> T
 where
     for<'t> &'t T: RefNum<T>,
@@ -99,40 +97,6 @@ where
     let [u, v] = [sub(p, a), sub(q, a)];
     let [x, y] = [sub(q, b), sub(p, b)];
     dot(&u, &v) * dot(&x, &y) - cross(&u, &v) * cross(&x, &y)
-}
-
-/// How a Delaunay edge is seen from the apexes of its triangles, left and right; `None` where the
-/// hull leaves none, an angle of zero.
-pub(crate) type Sights = [Option<Sight>; 2];
-
-pub(crate) fn sights(points: &PointSet, dual: &DualEdge) -> Sights {
-    let [p, q] = dual.ends.map(|id| points[id]);
-    let [left, right] = dual.apexes.map(|apex| apex.map(|id| points[id]));
-    [
-        left.map(|from| Sight::new(p, q, from)),
-        right.map(|from| Sight::new(q, p, from)),
-    ]
-}
-
-/// Whether the Voronoi edge is longer than a point: no four points are cocircular here.
-pub(crate) fn has_length(points: &PointSet, dual: &DualEdge) -> bool {
-    let [p, q] = dual.ends.map(|id| points[id]);
-    match dual.apexes {
-        [Some(left), Some(right)] => in_circle(p, q, points[left], points[right]) < 0.0,
-        _ => true,
-    }
-}
-
-/// The Delaunay edges that `keep` wants.
-pub(crate) fn filtered(points: &PointSet, keep: impl Fn(&DualEdge) -> bool) -> EdgeSet {
-    let delaunay = Delaunay::new(points);
-    let kept = delaunay.edges().filter(keep);
-    EdgeSet::new(points.len(), kept.filter_map(|dual| edge_of(&dual)))
-}
-
-pub(crate) fn edge_of(dual: &DualEdge) -> Option<Edge> {
-    let [p, q] = dual.ends;
-    Edge::new(p, q)
 }
 
 #[cfg(test)]
