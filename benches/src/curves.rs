@@ -2,7 +2,8 @@
 
 use std::error::Error;
 
-use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
+use curvecrust_curve::{Curve, CurveParam, DenseCurve};
+use curvecrust_geometry::Component;
 use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_sampling::{Condition, sample, sample_at_dense_points, sample_curve, sample_fewest};
 
@@ -21,7 +22,7 @@ pub fn dense_one_curve(count: usize) -> Result<DenseCurve, Box<dyn Error>> {
         segment: 0,
         t: i as f64 / count as f64,
     });
-    let whole = DenseComponent {
+    let whole = Component {
         range: 0..count,
         closed: true,
     };

@@ -168,3 +168,12 @@ impl CubicBezier {
         Self::new(self.control.map(f))
     }
 }
+
+/// The common bounding box of segments.
+pub(crate) fn bounds<'a>(segments: impl IntoIterator<Item = &'a CubicBezier>) -> (DVec2, DVec2) {
+    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    segments
+        .into_iter()
+        .map(CubicBezier::bounding_box)
+        .fold(empty, |a, b| (a.0.min(b.0), a.1.max(b.1)))
+}

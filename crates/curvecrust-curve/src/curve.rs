@@ -3,9 +3,10 @@
 use curvecrust_geometry::PointSet;
 use glam::DVec2;
 
-use crate::bezier::CubicBezier;
+use crate::bezier::{CubicBezier, bounds};
+use crate::bezier_path::BezierPath;
 use crate::error::{Corner, CurveError};
-use crate::{component::Component, path_data, smooth, svg};
+use crate::{path_data, smooth, svg};
 
 /// A place on a [`Curve`]; ordered along the curve.
 ///
@@ -53,7 +54,7 @@ pub struct CurveParam {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    components: Vec<Component>,
+    components: Vec<BezierPath>,
 }
 
 impl Curve {
@@ -66,7 +67,7 @@ impl Curve {
     /// The first component, in it the first segment or join, that breaks a guarantee;
     /// [`CurveError::Empty`]; or, if all else is well, [`CurveError::Corners`] with every corner, which
     /// [`SplitCurve`](crate::SplitCurve) takes.
-    pub fn new(components: Vec<Component>) -> Result<Self, CurveError> {
+    pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
         if corners.is_empty() {
             Ok(Self { components })
@@ -76,7 +77,7 @@ impl Curve {
     }
 
     /// Components that are smooth already.
-    pub(crate) fn of_pieces(components: Vec<Component>) -> Self {
+    pub(crate) fn of_pieces(components: Vec<BezierPath>) -> Self {
         Self { components }
     }
 
@@ -108,7 +109,7 @@ impl Curve {
 
     /// The components, in the order in which they were given.
     #[must_use]
-    pub fn components(&self) -> &[Component] {
+    pub fn components(&self) -> &[BezierPath] {
         &self.components
     }
 
@@ -116,7 +117,7 @@ impl Curve {
     /// smallest and the largest coordinates.
     #[must_use]
     pub fn bounding_box(&self) -> (DVec2, DVec2) {
-        bounds(self.components.iter().flat_map(Component::segments))
+        bounds(self.components.iter().flat_map(BezierPath::segments))
     }
 
     /// The larger side of the bounding box; positive.
@@ -150,24 +151,15 @@ impl Curve {
     }
 }
 
-/// The common bounding box of segments.
-pub(crate) fn bounds<'a>(segments: impl IntoIterator<Item = &'a CubicBezier>) -> (DVec2, DVec2) {
-    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    segments
-        .into_iter()
-        .map(CubicBezier::bounding_box)
-        .fold(empty, |a, b| (a.0.min(b.0), a.1.max(b.1)))
-}
-
 /// Components that are sound and smooth but for the corners.
 pub(crate) fn checked(
-    components: &[Component],
-) -> Result<(Vec<Component>, Vec<Corner>), CurveError> {
+    components: &[BezierPath],
+) -> Result<(Vec<BezierPath>, Vec<Corner>), CurveError> {
     if components.is_empty() {
         return Err(CurveError::Empty);
     }
     let mut corners = Vec::new();
-    let mut check = |(index, component): (usize, &Component)| {
+    let mut check = |(index, component): (usize, &BezierPath)| {
         let mut segments = validated(index, component)?;
         corners.extend(smooth::smooth_joins(
             index,
@@ -175,14 +167,14 @@ pub(crate) fn checked(
             component.is_closed(),
         )?);
         smooth::check_cusps(index, &segments)?;
-        Ok(Component::new(segments, component.is_closed()))
+        Ok(BezierPath::new(segments, component.is_closed()))
     };
     let components = components.iter().enumerate().map(&mut check);
     Ok((components.collect::<Result<_, _>>()?, corners))
 }
 
 /// The segments of a component, once their coordinates and ends are known to be sound.
-fn validated(index: usize, component: &Component) -> Result<Vec<CubicBezier>, CurveError> {
+fn validated(index: usize, component: &BezierPath) -> Result<Vec<CubicBezier>, CurveError> {
     for (segment, bezier) in component.segments().iter().enumerate() {
         let [p0, p1, p2, p3] = bezier.control_points();
         // Ends first: the handles of lines and arcs are in no file.
@@ -206,7 +198,7 @@ fn validated(index: usize, component: &Component) -> Result<Vec<CubicBezier>, Cu
             }
         }
     }
-    let carried = component.segments().iter().map(|s| s.map(without_dust));
+    let carried = component.segments().iter().map(|s| s.map(flushed_to_zero));
     let segments: Vec<_> = carried.filter(|s| !s.is_point()).collect();
     let Some(last) = segments.last() else {
         return Err(CurveError::ZeroLength { component: index });
@@ -232,7 +224,7 @@ fn validated(index: usize, component: &Component) -> Result<Vec<CubicBezier>, Cu
 }
 
 /// Coordinates that exact predicates cannot tell from 0 become 0.
-pub(crate) fn without_dust(p: DVec2) -> DVec2 {
+pub(crate) fn flushed_to_zero(p: DVec2) -> DVec2 {
     let carried = |v: f64| {
         if v.abs() < PointSet::MIN_MAGNITUDE {
             0.0

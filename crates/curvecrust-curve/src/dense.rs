@@ -1,25 +1,11 @@
 //! Curves as dense points, each with its parameter.
 
-use std::ops::Range;
-
-use curvecrust_geometry::PointSet;
+use curvecrust_geometry::{Component, PointSet};
 use glam::DVec2;
 
 use crate::bezier::CubicBezier;
-use crate::curve::{Curve, CurveParam, without_dust};
-use crate::error::DenseError;
-
-/// The largest number of points of a [`DenseCurve`].
-pub const DENSE_LIMIT: usize = 10_000_000;
-
-/// The points of one component in a [`DenseCurve`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DenseComponent {
-    /// The indices of its points, which are in order along the component.
-    pub range: Range<usize>,
-    /// Whether the first point follows the last, without being repeated.
-    pub closed: bool,
-}
+use crate::curve::{Curve, CurveParam, flushed_to_zero};
+use crate::error::{DENSE_LIMIT, DenseError};
 
 /// Points of curves in order along them, dense enough to stand for the curves.
 ///
@@ -36,14 +22,14 @@ pub struct DenseComponent {
 /// let dense = DenseCurve::per_segment(&curve, 300)?;
 /// assert_eq!(dense.len(), 301);
 /// assert_eq!(dense.points()[300], curve.components()[0].segments()[0].end());
-/// assert_eq!((dense.prev(300), dense.next(300)), (Some(299), None));
+/// assert_eq!((dense.previous(300), dense.next(300)), (Some(299), None));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct DenseCurve {
     points: Vec<DVec2>,
     params: Vec<CurveParam>,
-    components: Vec<DenseComponent>,
+    components: Vec<Component>,
 }
 
 impl DenseCurve {
@@ -54,7 +40,7 @@ impl DenseCurve {
     pub fn new(
         points: Vec<DVec2>,
         params: Vec<CurveParam>,
-        components: Vec<DenseComponent>,
+        components: Vec<Component>,
     ) -> Result<Self, DenseError> {
         at_most_limit(points.len() as u64)?;
         if points.len() != params.len() {
@@ -73,14 +59,17 @@ impl DenseCurve {
         check_ranges(&components, points.len())?;
         check_params(&params, &components)?;
         Ok(Self {
-            points: points.into_iter().map(without_dust).collect(),
+            points: points.into_iter().map(flushed_to_zero).collect(),
             params,
             components,
         })
     }
 
-    /// The discretisation of the paper (section 5): n points per cubic segment, at t = i/n for
-    /// i = 0 .. n-1, and the end point of an open component.
+    /// A fixed number of points per cubic segment, at t = i/n for i = 0 .. n-1, and the end point of an
+    /// open component.
+    ///
+    /// The paper (SGP 2016, Section 8.2) subsamples cubic Béziers very densely, without a number; the
+    /// program of its authors takes 300 points a segment.
     ///
     /// # Errors
     /// If n is 0, or the points would be more than [`DENSE_LIMIT`].
@@ -107,7 +96,7 @@ impl DenseCurve {
         if n == 0 {
             return Err(DenseError::NoPieces { index: 0 });
         }
-        let segments = |c: &crate::Component| c.segments().len() as u64;
+        let segments = |c: &crate::bezier_path::BezierPath| c.segments().len() as u64;
         let total = curve.components().iter().map(segments).sum::<u64>();
         at_most_limit(total.saturating_mul(u64::from(n)))?;
         let mut builder = Builder::default();
@@ -192,7 +181,7 @@ impl DenseCurve {
 
     /// The components, as ranges of points.
     #[must_use]
-    pub fn components(&self) -> &[DenseComponent] {
+    pub fn components(&self) -> &[Component] {
         &self.components
     }
 
@@ -213,23 +202,13 @@ impl DenseCurve {
     /// The only point of a closed component follows itself.
     #[must_use]
     pub fn next(&self, i: usize) -> Option<usize> {
-        let DenseComponent { range, closed } = self.component_around(i)?;
-        if i + 1 < range.end {
-            Some(i + 1)
-        } else {
-            closed.then_some(range.start)
-        }
+        self.component_around(i)?.next(i)
     }
 
     /// The point before point i along its component, in O(1); `None` at an open end.
     #[must_use]
-    pub fn prev(&self, i: usize) -> Option<usize> {
-        let DenseComponent { range, closed } = self.component_around(i)?;
-        if i > range.start {
-            Some(i - 1)
-        } else {
-            closed.then_some(range.end - 1)
-        }
+    pub fn previous(&self, i: usize) -> Option<usize> {
+        self.component_around(i)?.previous(i)
     }
 
     /// The index of the component of point i, in O(1).
@@ -241,7 +220,7 @@ impl DenseCurve {
         self.params[i].component as usize
     }
 
-    fn component_around(&self, i: usize) -> Option<&DenseComponent> {
+    fn component_around(&self, i: usize) -> Option<&Component> {
         let param = self.params.get(i)?;
         self.components.get(param.component as usize)
     }
@@ -266,7 +245,7 @@ impl DenseCurve {
 pub(crate) struct Builder {
     points: Vec<DVec2>,
     params: Vec<CurveParam>,
-    components: Vec<DenseComponent>,
+    components: Vec<Component>,
 }
 
 impl Builder {
@@ -282,7 +261,7 @@ impl Builder {
             self.params.push(param);
         });
         let range = start..self.points.len();
-        self.components.push(DenseComponent { range, closed });
+        self.components.push(Component { range, closed });
     }
 
     pub(crate) fn finish(self) -> Result<DenseCurve, DenseError> {
@@ -318,9 +297,9 @@ fn between(start: CurveParam, end: CurveParam, share: f64, segments: usize) -> C
     at
 }
 
-fn check_ranges(components: &[DenseComponent], points: usize) -> Result<(), DenseError> {
+fn check_ranges(components: &[Component], points: usize) -> Result<(), DenseError> {
     let mut end = 0;
-    for (component, DenseComponent { range, .. }) in components.iter().enumerate() {
+    for (component, Component { range, .. }) in components.iter().enumerate() {
         if range.start != end || range.is_empty() || range.end > points {
             return Err(DenseError::Range { component });
         }
@@ -333,8 +312,8 @@ fn check_ranges(components: &[DenseComponent], points: usize) -> Result<(), Dens
     Ok(())
 }
 
-fn check_params(params: &[CurveParam], components: &[DenseComponent]) -> Result<(), DenseError> {
-    for (component, DenseComponent { range, .. }) in components.iter().enumerate() {
+fn check_params(params: &[CurveParam], components: &[Component]) -> Result<(), DenseError> {
+    for (component, Component { range, .. }) in components.iter().enumerate() {
         for index in range.clone() {
             let param = params[index];
             let sound = (0.0..=1.0).contains(&param.t)

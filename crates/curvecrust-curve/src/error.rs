@@ -4,7 +4,8 @@ use curvecrust_geometry::PointSet;
 use glam::DVec2;
 use thiserror::Error;
 
-use crate::dense::DENSE_LIMIT;
+/// The largest number of points of a [`DenseCurve`](crate::DenseCurve).
+pub const DENSE_LIMIT: usize = 10_000_000;
 
 /// Why path data, a document or components are not a [`Curve`](crate::Curve).
 ///

@@ -5,8 +5,8 @@
 //! | module | types | what they promise |
 //! |---|---|---|
 //! | [`curve`] | [`Curve`], [`CurveParam`] | smooth, finite, every join exactly tangent |
-//! | [`split`] | [`SplitCurve`], [`SplitComponent`] | curves with corners, as smooth pieces |
-//! | [`component`] | [`Component`] | one open or closed chain |
+//! | [`split`] | [`SplitCurve`] | curves with corners, as smooth pieces |
+//! | [`bezier_path`] | [`BezierPath`] | one open or closed path |
 //! | [`bezier`] | [`CubicBezier`] | points, derivatives, tangents |
 //! | [`dense`] | [`DenseCurve`] | dense points with their parameters, in curve order |
 //! | [`svg`] | | what is read from documents, and what is refused |
@@ -17,7 +17,7 @@
 
 pub mod analytic;
 pub mod bezier;
-pub mod component;
+pub mod bezier_path;
 pub mod curve;
 pub mod dense;
 pub mod error;
@@ -27,8 +27,8 @@ pub mod split;
 pub mod svg;
 
 pub use bezier::CubicBezier;
-pub use component::Component;
+pub use bezier_path::BezierPath;
 pub use curve::{Curve, CurveParam};
-pub use dense::{DENSE_LIMIT, DenseComponent, DenseCurve};
-pub use error::{AnalyticError, Corner, CurveError, DenseError};
-pub use split::{SplitComponent, SplitCurve};
+pub use dense::DenseCurve;
+pub use error::{AnalyticError, Corner, CurveError, DENSE_LIMIT, DenseError};
+pub use split::SplitCurve;

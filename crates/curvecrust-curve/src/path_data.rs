@@ -5,14 +5,14 @@ use kurbo::{Arc, Point, SvgArc, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
 use crate::bezier::CubicBezier;
-use crate::component::Component;
+use crate::bezier_path::BezierPath;
 use crate::error::CurveError;
 
 /// How far the cubics of an arc may be from it, as a fraction of the larger radius.
 const ARC_TOLERANCE: f64 = 1e-7;
 
 /// The subpaths of a path string that draw something, not yet checked for smoothness.
-pub(crate) fn parse(d: &str) -> Result<Vec<Component>, CurveError> {
+pub(crate) fn parse(d: &str) -> Result<Vec<BezierPath>, CurveError> {
     let mut path = Pen::default();
     for command in PathParser::from(d) {
         path.draw(command.map_err(|error| malformed(d, &error))?);
@@ -56,7 +56,7 @@ enum LastHandle {
 /// The state while drawing a path.
 #[derive(Default)]
 pub(crate) struct Pen {
-    done: Vec<Component>,
+    done: Vec<BezierPath>,
     segments: Vec<CubicBezier>,
     start: DVec2,
     at: DVec2,
@@ -197,7 +197,7 @@ impl Pen {
     }
 
     /// The subpaths that have been drawn.
-    pub(crate) fn finish(mut self) -> Vec<Component> {
+    pub(crate) fn finish(mut self) -> Vec<BezierPath> {
         if self.drawn {
             self.end_subpath(false);
         }
@@ -224,7 +224,7 @@ impl Pen {
     /// A subpath with commands but without length is kept, for the error it deserves.
     fn end_subpath(&mut self, z: bool) {
         let segments = std::mem::take(&mut self.segments);
-        self.done.push(Component::from_subpath(segments, z));
+        self.done.push(BezierPath::from_subpath(segments, z));
         (self.moved, self.drawn) = (false, false);
     }
 }

@@ -1,5 +1,6 @@
 //! What makes a chain of Béziers a smooth curve: no cusps inside, no corners at the joins.
 
+use curvecrust_geometry::Component;
 use glam::DVec2;
 use kurbo::common::solve_cubic;
 
@@ -71,9 +72,14 @@ pub(crate) fn smooth_joins(
     for bezier in segments.iter_mut() {
         give_handles_to_straight(bezier);
     }
-    let count = segments.len();
-    for segment in usize::from(!closed)..count {
-        let before = (segment + count - 1) % count;
+    let order = Component {
+        range: 0..segments.len(),
+        closed,
+    };
+    for segment in order.range.clone() {
+        let Some(before) = order.previous(segment) else {
+            continue;
+        };
         let (incoming, outgoing) = (&segments[before], &segments[segment]);
         let at = outgoing.start();
         let angle = angle_between(incoming.end_handle(), outgoing.start_handle());

@@ -3,12 +3,11 @@
 //! A curve with a corner has local feature size 0 there, and no finite sampling. Its pieces are smooth
 //! curves each, which meet at their ends.
 
-use std::ops::Range;
-
+use curvecrust_geometry::Component;
 use glam::DVec2;
 
 use crate::bezier::CubicBezier;
-use crate::component::Component;
+use crate::bezier_path::BezierPath;
 use crate::curve::{Curve, checked};
 use crate::error::{Corner, CurveError};
 use crate::{path_data, svg};
@@ -26,23 +25,14 @@ use crate::{path_data, svg};
 ///
 /// let split = SplitCurve::from_path_data("M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 Z")?;
 /// assert_eq!((split.pieces().components().len(), split.corners().len()), (4, 2));
-/// assert_eq!(split.components()[0].pieces, 0..4);
+/// assert_eq!(split.components()[0].range, 0..4);
 /// # Ok::<(), curvecrust_curve::CurveError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SplitCurve {
     pieces: Curve,
-    components: Vec<SplitComponent>,
+    components: Vec<Component>,
     corners: Vec<Corner>,
-}
-
-/// The pieces of one component.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SplitComponent {
-    /// Indices of the pieces, in order along the component.
-    pub pieces: Range<usize>,
-    /// Whether the component is closed: the last piece is followed by the first.
-    pub closed: bool,
 }
 
 impl SplitCurve {
@@ -51,7 +41,7 @@ impl SplitCurve {
     /// # Errors
     /// Those of [`Curve::new`] other than [`CurveError::Corners`]. A cusp inside a segment stays an error: the
     /// radius of curvature goes to 0 towards it, and with it the local feature size of the pieces.
-    pub fn new(components: Vec<Component>) -> Result<Self, CurveError> {
+    pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
         let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
         for (index, component) in components.into_iter().enumerate() {
@@ -64,10 +54,8 @@ impl SplitCurve {
             } else {
                 pieces.extend(cut(component.segments(), closed, &starts));
             }
-            split.push(SplitComponent {
-                pieces: first..pieces.len(),
-                closed,
-            });
+            let range = first..pieces.len();
+            split.push(Component { range, closed });
         }
         Ok(Self {
             pieces: Curve::of_pieces(pieces),
@@ -98,9 +86,9 @@ impl SplitCurve {
         &self.pieces
     }
 
-    /// Which pieces make up each component, in the order in which they were given.
+    /// The components, in the order in which they were given: each is the range of its pieces, in order along it.
     #[must_use]
-    pub fn components(&self) -> &[SplitComponent] {
+    pub fn components(&self) -> &[Component] {
         &self.components
     }
 
@@ -112,8 +100,8 @@ impl SplitCurve {
 
     /// The component that a piece belongs to; `None` if there is no such piece.
     #[must_use]
-    pub fn component_of(&self, piece: usize) -> Option<&SplitComponent> {
-        self.components.iter().find(|c| c.pieces.contains(&piece))
+    pub fn component_of(&self, piece: usize) -> Option<&Component> {
+        self.components.iter().find(|c| c.contains(piece))
     }
 
     /// What is smooth by itself: the components without a corner, all together, and each piece of the others;
@@ -123,7 +111,7 @@ impl SplitCurve {
         let (whole, cut): (Vec<_>, Vec<_>) = self
             .components
             .iter()
-            .map(|c| c.pieces.clone())
+            .map(|c| c.range.clone())
             .partition(|pieces| pieces.len() == 1);
         let together: Vec<usize> = whole.into_iter().flatten().collect();
         let alone = cut.into_iter().flatten().map(|piece| vec![piece]);
@@ -144,26 +132,17 @@ impl SplitCurve {
     /// piece there.
     #[must_use]
     pub fn meetings(&self, piece: usize) -> [Option<(usize, DVec2)>; 2] {
-        let Some(SplitComponent { pieces, closed }) = self.component_of(piece) else {
+        let Some(component) = self.component_of(piece) else {
             return [None; 2];
         };
         let segments = self.pieces.components()[piece].segments();
         let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
             return [None; 2];
         };
-        if pieces.len() == 1 {
+        if component.len() == 1 {
             return [None; 2];
         }
-        let before = if piece > pieces.start {
-            Some(piece - 1)
-        } else {
-            closed.then_some(pieces.end - 1)
-        };
-        let after = if piece + 1 < pieces.end {
-            Some(piece + 1)
-        } else {
-            closed.then_some(pieces.start)
-        };
+        let (before, after) = (component.previous(piece), component.next(piece));
         [
             before.map(|i| (i, first.start())),
             after.map(|i| (i, last.end())),
@@ -172,7 +151,7 @@ impl SplitCurve {
 }
 
 /// The pieces of a component between corners, which are where the segments in `starts` start.
-fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<Component> {
+fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<BezierPath> {
     let first = if closed { starts[0] } else { 0 };
     let turned = [&segments[first..], &segments[..first]].concat();
     let mut cuts: Vec<usize> = starts.iter().map(|s| s - first).collect();
@@ -186,7 +165,9 @@ fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<Componen
     while closed && pieces.len() < 3 {
         pieces = pieces.iter().flat_map(|piece| halves(piece)).collect();
     }
-    let open = pieces.into_iter().map(|piece| Component::new(piece, false));
+    let open = pieces
+        .into_iter()
+        .map(|piece| BezierPath::new(piece, false));
     open.collect()
 }
 

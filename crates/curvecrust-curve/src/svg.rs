@@ -30,9 +30,8 @@ use usvg::roxmltree::{Document, Node, ParsingOptions};
 use usvg::tiny_skia_path::{PathSegment, Point};
 use usvg::{ImageHrefResolver, Options, Tree};
 
-use crate::component::Component;
-use crate::dense::DENSE_LIMIT;
-use crate::error::CurveError;
+use crate::bezier_path::BezierPath;
+use crate::error::{CurveError, DENSE_LIMIT};
 use crate::path_data::Pen;
 pub use entities::expansion;
 use strict::{PathElement, label, unsupported};
@@ -60,7 +59,7 @@ const SHOW_SHAPES: &str = "* {
 /// What `make` makes of the components of a document.
 pub(crate) fn parse<T>(
     text: &str,
-    make: impl FnOnce(Vec<Component>) -> Result<T, CurveError>,
+    make: impl FnOnce(Vec<BezierPath>) -> Result<T, CurveError>,
 ) -> Result<T, CurveError> {
     let document = parse_xml(text)?;
     let root = document.root_element();
@@ -155,7 +154,7 @@ struct Drawing<'a, 'input> {
     paths: Vec<PathElement<'a, 'input>>,
     by_id: HashMap<&'a str, Node<'a, 'input>>,
     /// The components, each with the element that draws it, where that is known.
-    components: Vec<(Option<Node<'a, 'input>>, Component)>,
+    components: Vec<(Option<Node<'a, 'input>>, BezierPath)>,
     segments: usize,
 }
 
@@ -211,7 +210,7 @@ fn stand_in(path: &usvg::Path) -> Option<usize> {
 }
 
 /// The components of a basic shape, in its own coordinates.
-fn shape(path: &usvg::Path) -> Vec<Component> {
+fn shape(path: &usvg::Path) -> Vec<BezierPath> {
     let double = |p: Point| DVec2::new(p.x.into(), p.y.into());
     let mut pen = Pen::default();
     for segment in path.data().segments() {

@@ -16,7 +16,10 @@ use glam::DVec2;
 fn medial_point(dense: &DenseCurve, i: usize, side: f64) -> Option<DVec2> {
     let p = dense.points()[i];
     let at = |j: Option<usize>| j.map_or(p, |j| dense.points()[j]);
-    let normal = (at(dense.next(i)) - at(dense.prev(i))).normalize().perp() * side;
+    let normal = (at(dense.next(i)) - at(dense.previous(i)))
+        .normalize()
+        .perp()
+        * side;
     let radius = |&q: &DVec2| {
         let height = normal.dot(q - p);
         (height > 1e-12).then(|| (q - p).length_squared() / (2.0 * height))

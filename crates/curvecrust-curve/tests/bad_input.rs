@@ -1,7 +1,7 @@
 //! Every kind of bad input, and the message that it earns.
 #![allow(clippy::panic, reason = "a test, its helpers included")]
 
-use curvecrust_curve::{Component, CubicBezier, Curve, CurveError};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve, CurveError};
 use glam::DVec2;
 
 fn svg_error(content: &str) -> CurveError {
@@ -63,7 +63,7 @@ fn components() {
              join them, or make two components",
         ),
     ] {
-        let error = Curve::new(vec![Component::new(segments, closed)]).unwrap_err();
+        let error = Curve::new(vec![BezierPath::new(segments, closed)]).unwrap_err();
         assert_eq!(error.to_string(), message);
     }
     assert_eq!(Curve::new(vec![]), Err(CurveError::Empty));

@@ -9,8 +9,9 @@
 )]
 
 use curvecrust_curve::{
-    Component, CubicBezier, Curve, CurveParam, DENSE_LIMIT, DenseComponent, DenseCurve, DenseError,
+    BezierPath, CubicBezier, Curve, CurveParam, DENSE_LIMIT, DenseCurve, DenseError,
 };
+use curvecrust_geometry::Component;
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -35,11 +36,11 @@ fn per_segment_is_the_discretisation_of_the_paper() {
         let dense = DenseCurve::per_segment(&curve, n).unwrap();
         let count = n as usize;
         let expected = [
-            DenseComponent {
+            Component {
                 range: 0..16 * count,
                 closed: true,
             },
-            DenseComponent {
+            Component {
                 range: 16 * count..18 * count + 1,
                 closed: false,
             },
@@ -58,11 +59,14 @@ fn per_segment_is_the_discretisation_of_the_paper() {
 fn neighbours_wrap_on_closed_components_only() {
     let dense = DenseCurve::per_segment(&curve(), 2).unwrap();
     let last = dense.len() - 1;
-    assert_eq!((dense.prev(0), dense.next(0)), (Some(31), Some(1)));
-    assert_eq!((dense.prev(31), dense.next(31)), (Some(30), Some(0)));
-    assert_eq!((dense.prev(32), dense.next(32)), (None, Some(33)));
-    assert_eq!((dense.prev(last), dense.next(last)), (Some(35), None));
-    assert_eq!((dense.prev(last + 1), dense.next(last + 1)), (None, None));
+    assert_eq!((dense.previous(0), dense.next(0)), (Some(31), Some(1)));
+    assert_eq!((dense.previous(31), dense.next(31)), (Some(30), Some(0)));
+    assert_eq!((dense.previous(32), dense.next(32)), (None, Some(33)));
+    assert_eq!((dense.previous(last), dense.next(last)), (Some(35), None));
+    assert_eq!(
+        (dense.previous(last + 1), dense.next(last + 1)),
+        (None, None)
+    );
     assert_eq!((dense.component_of(31), dense.component_of(32)), (0, 1));
 }
 
@@ -94,11 +98,11 @@ fn gaps_over_the_end_of_a_segment_are_cut_in_both() {
         param(1, 1, 0.5),
     ];
     let components = vec![
-        DenseComponent {
+        Component {
             range: 0..1,
             closed: true,
         },
-        DenseComponent {
+        Component {
             range: 1..4,
             closed: false,
         },
@@ -174,8 +178,8 @@ fn what_cannot_be_is_an_error() {
 fn explicit_points_are_checked() {
     let points = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
     let params = vec![param(0, 0, 0.0), param(0, 0, 0.5), param(1, 0, 0.0)];
-    let parts = |ranges: &[(usize, usize)]| -> Vec<DenseComponent> {
-        let component = |&(start, end)| DenseComponent {
+    let parts = |ranges: &[(usize, usize)]| -> Vec<Component> {
+        let component = |&(start, end)| Component {
             range: start..end,
             closed: false,
         };
@@ -241,7 +245,7 @@ proptest! {
         prop_assert!(coarse.points().iter().all(|p| kept.any(|q| q == p)));
         for (i, &at) in dense.params().iter().enumerate() {
             prop_assert!(dense.points()[i].distance(curve.point(at)) < 1e-13);
-            prop_assert_eq!(dense.next(i).and_then(|j| dense.prev(j)).unwrap_or(i), i);
+            prop_assert_eq!(dense.next(i).and_then(|j| dense.previous(j)).unwrap_or(i), i);
         }
     }
 }
@@ -254,9 +258,9 @@ fn a_closed_component_of_one_point_is_refined_all_round() {
         let handle = DVec2::new(0.0, 4.0 / 3.0 * s);
         CubicBezier::new([x, x + handle, -x + handle, -x])
     };
-    let circle = Component::new(vec![arc(1.0), arc(-1.0)], true);
+    let circle = BezierPath::new(vec![arc(1.0), arc(-1.0)], true);
     let curve = Curve::new(vec![circle]).unwrap();
-    let component = DenseComponent {
+    let component = Component {
         range: 0..1,
         closed: true,
     };

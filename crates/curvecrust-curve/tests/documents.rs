@@ -9,7 +9,7 @@
     reason = "coordinates that are written down come back bit by bit"
 )]
 
-use curvecrust_curve::{Component, Curve};
+use curvecrust_curve::{BezierPath, Curve};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -31,12 +31,12 @@ fn near(p: DVec2, q: DVec2) {
 }
 
 fn starts(curve: &Curve) -> Vec<DVec2> {
-    let first = |c: &Component| c.segments()[0].start();
+    let first = |c: &BezierPath| c.segments()[0].start();
     curve.components().iter().map(first).collect()
 }
 
 /// Points along all segments of a component.
-fn along(component: &Component) -> impl Iterator<Item = DVec2> + '_ {
+fn along(component: &BezierPath) -> impl Iterator<Item = DVec2> + '_ {
     let at = |i| f64::from(i) / 8.0;
     component
         .segments()

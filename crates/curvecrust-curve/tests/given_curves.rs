@@ -8,7 +8,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use curvecrust_curve::{Component, Curve, DenseCurve};
+use curvecrust_curve::{BezierPath, Curve, DenseCurve};
 
 fn read(path: &Path) -> Curve {
     let svg = fs::read_to_string(path).unwrap();
@@ -60,7 +60,7 @@ fn the_fixtures_of_this_project() {
         .filter(|p| p.extension().is_some_and(|e| e == "svg"))
     {
         let curve = read(path);
-        let segments = curve.components().iter().flat_map(Component::segments);
+        let segments = curve.components().iter().flat_map(BezierPath::segments);
         assert!(curve.extent() > 0.0);
         println!("{}: {} segments", path.display(), segments.count());
     }

@@ -11,7 +11,7 @@
 use std::f64::consts::{PI, TAU};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use curvecrust_curve::{Component, CubicBezier, Curve, CurveError, CurveParam};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve, CurveError, CurveParam};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -24,7 +24,7 @@ fn curve(d: &str) -> Curve {
 }
 
 fn ends(curve: &Curve) -> Vec<DVec2> {
-    let segments = curve.components().iter().flat_map(Component::segments);
+    let segments = curve.components().iter().flat_map(BezierPath::segments);
     segments.map(CubicBezier::end).collect()
 }
 
@@ -75,7 +75,7 @@ fn subpaths_are_components_and_lone_moves_are_not() {
     let closed: Vec<_> = curve
         .components()
         .iter()
-        .map(Component::is_closed)
+        .map(BezierPath::is_closed)
         .collect();
     assert_eq!(closed, [false, false, true]);
     assert_eq!(curve.components()[1].segments()[0].start(), v(2.0, 0.0));

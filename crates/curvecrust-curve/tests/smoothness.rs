@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use curvecrust_curve::{Component, CubicBezier, Curve, CurveError, CurveParam};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve, CurveError, CurveParam};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -56,7 +56,7 @@ fn roughness(curve: &Curve) -> f64 {
 fn joins_below_one_degree_become_smooth_with_ends_and_lengths_kept() {
     for degrees in [-0.99, -1e-6, 0.0, 1e-9, 0.5, 0.99] {
         let given = bent(degrees);
-        let curve = Curve::new(vec![Component::new(given.clone(), false)]).unwrap();
+        let curve = Curve::new(vec![BezierPath::new(given.clone(), false)]).unwrap();
         let smooth = curve.components()[0].segments();
         assert!(roughness(&curve) < 1e-12, "{degrees}");
         for (before, after) in given.iter().zip(smooth) {
@@ -81,7 +81,7 @@ fn joins_below_one_degree_become_smooth_with_ends_and_lengths_kept() {
 #[test]
 fn joins_from_one_degree_on_are_corners() {
     for degrees in [1.01, -45.0, 90.0, 179.0] {
-        let error = Curve::new(vec![Component::new(bent(degrees), false)]).unwrap_err();
+        let error = Curve::new(vec![BezierPath::new(bent(degrees), false)]).unwrap_err();
         let CurveError::Corners(corners) = error else {
             panic!("{error}");
         };
@@ -128,7 +128,7 @@ fn a_segment_without_a_handle_keeps_its_shape_and_the_other_turns() {
         bent(0.0)[0],
         CubicBezier::new([DVec2::ZERO, DVec2::ZERO, out * 2.0, v(5.0, 1.0)]),
     ];
-    let curve = Curve::new(vec![Component::new(given.clone(), false)]).unwrap();
+    let curve = Curve::new(vec![BezierPath::new(given.clone(), false)]).unwrap();
     assert!(roughness(&curve) < 1e-12);
     assert_eq!(curve.components()[0].segments()[1], given[1]);
 }
@@ -149,7 +149,7 @@ fn a_segment_without_one_handle_stays_smooth_at_both_ends() {
             v(9.0, 2.0),
         ]),
     ];
-    let curve = Curve::new(vec![Component::new(given.clone(), false)]).unwrap();
+    let curve = Curve::new(vec![BezierPath::new(given.clone(), false)]).unwrap();
     assert!(roughness(&curve) < 1e-12);
     assert_eq!(curve.components()[0].segments()[1], given[1]);
 }
@@ -160,7 +160,7 @@ fn two_segments_without_handles_at_a_bend_are_refused() {
         CubicBezier::new([v(-3.0, 0.0), v(-2.0, 0.1), DVec2::ZERO, DVec2::ZERO]),
         CubicBezier::new([DVec2::ZERO, DVec2::ZERO, v(2.0, -0.11), v(3.0, 0.0)]),
     ];
-    let error = Curve::new(vec![Component::new(given, false)]).unwrap_err();
+    let error = Curve::new(vec![BezierPath::new(given, false)]).unwrap_err();
     assert!(
         matches!(error, CurveError::NoHandle { segment: 1, .. }),
         "{error}"
@@ -172,7 +172,7 @@ fn straight_segments_are_bent_a_little_at_both_ends() {
     // A polygon of 720 sides: half a degree at each corner.
     let corner = |i: u32| DVec2::from_angle(2.0 * PI * f64::from(i % 720) / 720.0);
     let sides = (0..720).map(|i| CubicBezier::line(corner(i), corner(i + 1)));
-    let curve = Curve::new(vec![Component::new(sides.collect(), true)]).unwrap();
+    let curve = Curve::new(vec![BezierPath::new(sides.collect(), true)]).unwrap();
     assert!(roughness(&curve) < 1e-10, "{}", roughness(&curve));
     for (i, side) in (0..).zip(curve.components()[0].segments()) {
         assert_eq!(side.start(), corner(i));
@@ -192,7 +192,7 @@ fn straight_segments_written_without_handles_get_those_of_a_line() {
 #[test]
 fn cusps_are_found_inside_segments() {
     let refused = |control: [DVec2; 4]| {
-        let component = Component::new(vec![CubicBezier::new(control)], false);
+        let component = BezierPath::new(vec![CubicBezier::new(control)], false);
         match Curve::new(vec![component]) {
             Err(CurveError::Cusp { t, at, .. }) => Some((t, at)),
             Ok(_) => None,
@@ -261,7 +261,7 @@ proptest! {
             let ((p, out, _), (q, _, into)) = (at(i), at(i + 1));
             CubicBezier::new([p, p + out, q - into, q])
         });
-        let curve = Curve::new(vec![Component::new(segments.collect(), true)]);
+        let curve = Curve::new(vec![BezierPath::new(segments.collect(), true)]);
         if let Ok(curve) = curve {
             prop_assert!(roughness(&curve) < 1e-12);
         }

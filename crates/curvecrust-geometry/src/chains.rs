@@ -1,5 +1,6 @@
 //! Edge sets as ordered polylines and rings.
 
+use crate::component::Component;
 use crate::edge_set::{Edge, EdgeSet};
 use crate::point_set::PointId;
 
@@ -39,12 +40,12 @@ impl Chain {
 
     /// The edges in order along the chain.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        let next = self.vertices.iter().cycle().skip(1);
-        self.vertices
-            .iter()
-            .zip(next)
-            .take(self.edge_count())
-            .filter_map(|(&p, &q)| Edge::new(p, q))
+        let order = Component {
+            range: 0..self.vertices.len(),
+            closed: self.closed,
+        };
+        let pairs = order.pairs();
+        pairs.filter_map(|(i, j)| Edge::new(self.vertices[i], self.vertices[j]))
     }
 
     /// The same chain in the opposite direction; a closed one keeps its first vertex.
@@ -114,7 +115,17 @@ impl Adjacency {
     }
 }
 
-pub(crate) fn of(set: &EdgeSet) -> Vec<Chain> {
+impl EdgeSet {
+    /// The maximal open paths and closed rings, cut at junctions: every edge in exactly one.
+    ///
+    /// See [`Chain`] for their order and orientation; isolated vertices form no chain.
+    #[must_use]
+    pub fn chains(&self) -> Vec<Chain> {
+        chains_of(self)
+    }
+}
+
+fn chains_of(set: &EdgeSet) -> Vec<Chain> {
     let adjacency = Adjacency::new(set);
     let mut chains = Vec::new();
     let mut inner = vec![false; set.vertex_count()];

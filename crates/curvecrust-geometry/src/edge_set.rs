@@ -1,6 +1,5 @@
 //! Undirected edges between the points of a set, in canonical order.
 
-use crate::chains::{self, Chain};
 use crate::point_set::PointId;
 
 /// An undirected edge; `a() < b()`.
@@ -142,14 +141,6 @@ impl EdgeSet {
     #[must_use]
     pub fn junctions(&self) -> Vec<PointId> {
         self.with_degree(|d| d > 2)
-    }
-
-    /// The maximal open paths and closed rings, cut at junctions: every edge in exactly one.
-    ///
-    /// See [`Chain`] for their order and orientation; isolated vertices form no chain.
-    #[must_use]
-    pub fn chains(&self) -> Vec<Chain> {
-        chains::of(self)
     }
 
     fn with_degree(&self, wanted: impl Fn(u32) -> bool) -> Vec<PointId> {

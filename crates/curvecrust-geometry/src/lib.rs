@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`point_set`] | [`PointSet`], [`PointId`], [`MergedPoints`] | finite, distinct points that exact predicates can carry |
 //! | [`edge_set`] | [`EdgeSet`], [`Edge`] | sorted, unique, undirected edges |
+//! | [`component`] | [`Component`] | points in order along a curve that is open or closed |
 //! | [`chains`] | [`Chain`] | maximal paths and rings that cover every edge once |
 //! | [`segment`] | [`Segment`] | closest point and distance |
 //! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
@@ -15,6 +16,7 @@
 //! Points are [`glam::DVec2`]; [`glam`] is re-exported, so that a user has the same version of it.
 
 pub mod chains;
+pub mod component;
 pub mod edge_set;
 mod hilbert;
 pub mod point_set;
@@ -26,6 +28,7 @@ pub mod similarity;
 pub mod spatial_order;
 
 pub use chains::Chain;
+pub use component::Component;
 pub use edge_set::{Edge, EdgeSet};
 pub use glam::{self, DVec2};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};

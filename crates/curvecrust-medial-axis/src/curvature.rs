@@ -37,7 +37,7 @@ pub(crate) fn centres_at_joins(
         .filter(is_join)
         .flat_map(|i| {
             let before = dense
-                .prev(i)
+                .previous(i)
                 .map(|j| (segment(curve, dense.params()[j]), 1.0));
             let after = Some((segment(curve, dense.params()[i]), 0.0));
             [before, after]

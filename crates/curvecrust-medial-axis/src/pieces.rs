@@ -15,8 +15,8 @@
 //! Made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces, O(n^2 log n) in their boxes besides what
 //! the pieces cost by themselves.
 
-use curvecrust_curve::{CurveParam, DenseComponent, DenseCurve, SplitCurve};
-use curvecrust_geometry::{DVec2, Progress, SegmentTree};
+use curvecrust_curve::{CurveParam, DenseCurve, SplitCurve};
+use curvecrust_geometry::{Component, DVec2, Progress, SegmentTree};
 
 use crate::axis::MedialAxis;
 use crate::crossing::chord;
@@ -149,9 +149,9 @@ fn outlines(split: &SplitCurve, parts: &[Part]) -> Vec<Outline> {
     let mut outlines: Vec<Outline> = (0..count).map(|_| empty()).collect();
     for part in parts {
         let dense = part.measured.dense();
-        for (&piece, DenseComponent { range, .. }) in part.pieces.iter().zip(dense.components()) {
-            let points = &dense.points()[range.clone()];
-            let chords = range.clone().filter(|&i| dense.next(i).is_some());
+        for (&piece, component) in part.pieces.iter().zip(dense.components()) {
+            let points = &dense.points()[component.range.clone()];
+            let chords = component.pairs().map(|(i, _)| i);
             outlines[piece] = Outline {
                 low: points.iter().copied().fold(DVec2::INFINITY, DVec2::min),
                 high: points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max),
@@ -261,16 +261,17 @@ impl Part {
 
 /// Lowers values until they change by no more than the way between points.
 fn make_lipschitz(points: &[DVec2], values: &mut [f64], closed: bool) {
-    let count = points.len();
-    let rounds = if closed { 2 * count } else { count };
-    let lower = |values: &mut [f64], from: usize, to: usize| {
+    let range = 0..points.len();
+    let pairs = Component { range, closed }.pairs();
+    let mut lower = |from: usize, to: usize| {
         values[to] = values[to].min(values[from] + points[from].distance(points[to]));
     };
-    for i in 1..rounds {
-        lower(values, (i - 1) % count, i % count);
+    // What comes from the last point of a closed curve is passed on in a second round.
+    for _ in 0..if closed { 2 } else { 1 } {
+        pairs.clone().for_each(|(i, j)| lower(i, j));
     }
-    for i in (1..rounds).rev() {
-        lower(values, i % count, (i - 1) % count);
+    for _ in 0..if closed { 2 } else { 1 } {
+        pairs.clone().rev().for_each(|(i, j)| lower(j, i));
     }
 }
 
@@ -286,7 +287,7 @@ fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<MeasuredCurve, Medial
     let mut components = Vec::with_capacity(places.len());
     for (piece, (part, component)) in (0u32..).zip(places) {
         let measured = &parts[part].measured;
-        let DenseComponent { range, closed } = measured.dense().components()[component].clone();
+        let Component { range, closed } = measured.dense().components()[component].clone();
         let start = points.len();
         points.extend_from_slice(&measured.dense().points()[range.clone()]);
         values.extend_from_slice(&measured.lfs().values()[range.clone()]);
@@ -295,7 +296,7 @@ fn assembled(split: &SplitCurve, parts: &[Part]) -> Result<MeasuredCurve, Medial
             component: piece,
             ..param
         }));
-        components.push(DenseComponent {
+        components.push(Component {
             range: start..points.len(),
             closed,
         });

@@ -48,7 +48,7 @@ pub fn lfs(dense: &DenseCurve) -> LocalFeatureSize {
 
 /// The unit normal left of the chord between the neighbours; of the one gap, at the end of a curve.
 fn normal_at(dense: &DenseCurve, i: usize) -> Option<DVec2> {
-    let before = dense.points()[dense.prev(i).unwrap_or(i)];
+    let before = dense.points()[dense.previous(i).unwrap_or(i)];
     let after = dense.points()[dense.next(i).unwrap_or(i)];
     Some((after - before).try_normalize()?.perp())
 }

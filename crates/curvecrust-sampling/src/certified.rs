@@ -140,10 +140,10 @@ pub(crate) fn certified(
     let mut samples = SampledCurve::default();
     for (component, gaps) in all.iter().enumerate() {
         let positions = positions(gaps)
-            .map_err(|gap| too_coarse(measured, condition, gaps.range.start + gap))?;
-        let indices = positions.iter().map(|at| gaps.range.start + at);
-        samples.push_component(measured.dense(), indices, gaps.closed);
-        if gaps.closed {
+            .map_err(|gap| too_coarse(measured, condition, gaps.component.range.start + gap))?;
+        let indices = positions.iter().map(|at| gaps.component.range.start + at);
+        samples.push_component(measured.dense(), indices, gaps.component.closed);
+        if gaps.component.closed {
             samples.push_closing(ClosingInterval {
                 component,
                 holds: true,
@@ -168,7 +168,7 @@ pub(crate) fn walk(gaps: &Gaps, condition: Condition, start: usize) -> Result<Ve
         guess = to + (to - from);
         from = to;
     }
-    if gaps.closed {
+    if gaps.component.closed {
         positions.pop();
     }
     Ok(positions)

@@ -142,13 +142,15 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
         // Samples of another dense curve are none of this one's.
         let here = |range: &Range<usize>| {
             let places = &samples.placements()[range.clone()];
-            places.iter().all(|p| gaps.range.contains(&p.dense))
+            places
+                .iter()
+                .all(|p| gaps.component.range.contains(&p.dense))
         };
         let range = samples.components().get(index).cloned().filter(here);
         let range = range.unwrap_or(0..0);
         let place = |sample: usize| {
             let place = samples.placements()[sample];
-            (place.dense - gaps.range.start, place.t)
+            (place.dense - gaps.component.range.start, place.t)
         };
         let point = |sample: Option<usize>| sample.map(|i| samples.placements()[i].point);
         let mut measure = |samples: [Option<usize>; 2], from, to| {
@@ -158,7 +160,8 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
             };
             let walk = Walk::new(gaps, kind, samples.map(point));
             let mut attained = walk.attained(interval, from, to);
-            attained.dense = gaps.range.start + attained.dense % gaps.range.len();
+            attained.dense =
+                gaps.component.range.start + attained.dense % gaps.component.range.len();
             found.push(attained);
         };
         let end = (gaps.len(), 0.0);
@@ -166,7 +169,7 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
             measure([None; 2], (0, 0.0), end);
             continue;
         };
-        if !gaps.closed && place(first) > (0, 0.0) {
+        if !gaps.component.closed && place(first) > (0, 0.0) {
             measure([None, Some(first)], (0, 0.0), place(first));
         }
         for (before, after) in range.clone().zip(range.skip(1)) {
@@ -177,7 +180,7 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
                 beyond(from, to, gaps.len()),
             );
         }
-        if gaps.closed {
+        if gaps.component.closed {
             let (from, to) = (place(last), place(first));
             measure(
                 [Some(last), Some(first)],

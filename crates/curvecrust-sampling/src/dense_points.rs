@@ -15,7 +15,7 @@
 //! Cost: near-linear. An interval that holds with some slack holds until its end has moved by as
 //! much, so only a few of the candidate ends are looked at.
 
-use curvecrust_curve::DenseComponent;
+use curvecrust_geometry::Component;
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::Condition;
@@ -53,7 +53,7 @@ enum Next {
 fn sample(measured: &MeasuredCurve, condition: Condition, next: Next) -> Sampling {
     let mut sampled = SampledCurve::default();
     for (index, component) in measured.dense().components().iter().enumerate() {
-        let DenseComponent { range, closed } = component;
+        let Component { range, closed } = component;
         let track = Track::new(measured, range.clone(), *closed);
         let mut positions = walk(&track, condition, range.len(), next);
         let last = positions[positions.len() - 1];

@@ -79,9 +79,9 @@ pub fn sample_fewest_with(
     let (progress, total) = (options.progress, measured.dense().len());
     progress.report(0, total);
     certified(measured, condition, |gaps| {
-        let on_component = |done: usize| progress.report(gaps.range.start + done, total);
+        let on_component = |done: usize| progress.report(gaps.component.range.start + done, total);
         let positions = positions(gaps, condition, &on_component)?;
-        progress.report(gaps.range.end, total);
+        progress.report(gaps.component.range.end, total);
         Ok(positions)
     })
 }
@@ -93,7 +93,7 @@ pub(crate) fn positions(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<usize>, usize> {
     let mut positions = walk(gaps, condition, 0)?;
-    if gaps.closed {
+    if gaps.component.closed {
         let start = if condition.hausdorff_limit().is_some() {
             best_start(&jumps(gaps, condition, progress)?)
         } else {

@@ -12,10 +12,7 @@
 //! distance to a point or to a segment is convex: along the chord of a run it is largest at an end.
 //! Cost: O(n) to build, O(log n) for most questions.
 
-use std::ops::Range;
-
-use curvecrust_curve::DenseComponent;
-use curvecrust_geometry::{DVec2, Segment};
+use curvecrust_geometry::{Component, DVec2, Segment};
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::{Bound, Condition, DeviationLimit};
@@ -28,9 +25,8 @@ const SAFE: f64 = 1.0 - 1e-9;
 /// Positions of a closed component go on behind its last point, for a second round.
 #[derive(Debug)]
 pub(crate) struct Gaps<'a> {
-    /// The dense points of the component.
-    pub(crate) range: Range<usize>,
-    pub(crate) closed: bool,
+    /// The dense points.
+    pub(crate) component: Component,
     points: &'a [DVec2],
     lfs: &'a [f64],
     /// Level k holds the runs of 2^k gaps that start at multiples of 2^k.
@@ -74,13 +70,11 @@ impl<'a> Gaps<'a> {
         components.iter().map(|c| Self::new(measured, c)).collect()
     }
 
-    fn new(measured: &'a MeasuredCurve, component: &DenseComponent) -> Self {
-        let DenseComponent { range, closed } = component.clone();
+    fn new(measured: &'a MeasuredCurve, component: &Component) -> Self {
         let mut gaps = Self {
-            points: &measured.dense().points()[range.clone()],
-            lfs: &measured.lfs().values()[range.clone()],
-            range,
-            closed,
+            points: &measured.dense().points()[component.range.clone()],
+            lfs: &measured.lfs().values()[component.range.clone()],
+            component: component.clone(),
             levels: Vec::new(),
         };
         let mut level: Vec<Run> = (0..gaps.len()).map(|i| gaps.run(i)).collect();
@@ -101,7 +95,7 @@ impl<'a> Gaps<'a> {
 
     /// The number of gaps: positions from 0 to this make up the component.
     pub(crate) fn len(&self) -> usize {
-        self.points.len() - usize::from(!self.closed)
+        self.component.pair_count()
     }
 
     pub(crate) fn point(&self, at: usize) -> DVec2 {
@@ -120,7 +114,7 @@ impl<'a> Gaps<'a> {
     /// An upper bound of the length of the curve in the gap after a position.
     pub(crate) fn arc(&self, at: usize) -> f64 {
         // Between two points of a closed curve there are two gaps, and no telling which is short.
-        if self.closed && self.points.len() < 3 {
+        if self.component.closed && self.points.len() < 3 {
             return f64::INFINITY;
         }
         let chord = self.point(at).distance(self.point(at + 1));

@@ -61,7 +61,7 @@ pub use fewest::{sample_fewest, sample_fewest_with};
 pub use noise::{Noise, NoiseShape, NoiseSize, Outliers, with_noise, with_outliers};
 pub use pieces::{sample_split, sample_split_with};
 pub use placed::{PlacedSamples, Placement, Projected};
-pub use sampled_curve::{ClosingInterval, SampledComponent, SampledCurve};
+pub use sampled_curve::{ClosingInterval, SampledCurve};
 pub use sampling::{SampleOptions, Sampling};
 pub use uneven::{UnevenOptions, sample_unevenly, sample_unevenly_with, sample_uniformly};
 pub use verified::{VerifyOptions, sample_verified, sample_verified_with};

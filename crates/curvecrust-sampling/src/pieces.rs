@@ -116,7 +116,9 @@ fn sample_pieces(
     let mut positions: Vec<Vec<usize>> = places
         .map(|(component, gaps)| {
             let here = &first.samples.dense_indices()[component.range.clone()];
-            here.iter().map(|dense| dense - gaps.range.start).collect()
+            here.iter()
+                .map(|dense| dense - gaps.component.range.start)
+                .collect()
         })
         .collect();
     while balance(split, &all, condition, &mut positions) {}
@@ -216,7 +218,7 @@ fn joined(split: &SplitCurve, of_pieces: Sampling) -> Sampling {
         let mut indices = Vec::new();
         // Where the worst interval begins: its component, and its first sample.
         let mut worst_from = None;
-        for piece in whole.pieces.clone() {
+        for piece in whole.range.clone() {
             let range = pieces.components()[piece].range.clone();
             if let Some(worst) = of_pieces.attained
                 && worst.interval.component == piece

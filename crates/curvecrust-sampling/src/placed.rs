@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use curvecrust_curve::{DenseComponent, DenseCurve};
-use curvecrust_geometry::{DVec2, Segment, SegmentTree};
+use curvecrust_curve::DenseCurve;
+use curvecrust_geometry::{Component, DVec2, Segment, SegmentTree};
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::error::SamplingError;
@@ -71,7 +71,7 @@ impl PlacedSamples {
         }
         let mut components = Vec::with_capacity(dense.components().len());
         let mut start = 0;
-        for (component, DenseComponent { range, closed }) in each_component(dense) {
+        for (component, Component { range, closed }) in each_component(dense) {
             let here = placements[start..].iter();
             let end = start + here.take_while(|p| range.contains(&p.dense)).count();
             let samples = &placements[start..end];
@@ -212,7 +212,7 @@ impl PlacedSamples {
     }
 }
 
-fn each_component(dense: &DenseCurve) -> impl Iterator<Item = (usize, DenseComponent)> + '_ {
+fn each_component(dense: &DenseCurve) -> impl Iterator<Item = (usize, Component)> + '_ {
     dense.components().iter().cloned().enumerate()
 }
 
@@ -232,7 +232,7 @@ impl<'a> Polygon<'a> {
         // A component of one point is a segment without length.
         let end = |i: usize| match dense.next(i) {
             Some(next) => Some(next),
-            None => dense.prev(i).is_none().then_some(i),
+            None => dense.previous(i).is_none().then_some(i),
         };
         let chord = |i: usize| {
             let points = dense.points();

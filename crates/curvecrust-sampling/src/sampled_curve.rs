@@ -1,9 +1,7 @@
 //! Samples in the order of their curve.
 
-use std::ops::Range;
-
 use curvecrust_curve::{CurveParam, DenseCurve};
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError};
+use curvecrust_geometry::{Component, DVec2, EdgeSet, PointSet, PointSetError};
 
 /// Samples of every component of a curve, in curve order, one component after the other.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,17 +9,8 @@ pub struct SampledCurve {
     points: Vec<DVec2>,
     params: Vec<CurveParam>,
     dense_indices: Vec<usize>,
-    components: Vec<SampledComponent>,
+    components: Vec<Component>,
     closing_intervals: Vec<ClosingInterval>,
-}
-
-/// Which of the samples belong to one component.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SampledComponent {
-    /// Indices of its samples.
-    pub range: Range<usize>,
-    /// Whether the last sample is followed by the first.
-    pub closed: bool,
 }
 
 /// The interval of a closed component from its last sample back to its first.
@@ -52,9 +41,9 @@ impl SampledCurve {
         &self.dense_indices
     }
 
-    /// The components, in the order of the curve's.
+    /// The components, in the order of the curve's, each as the range of its samples.
     #[must_use]
-    pub fn components(&self) -> &[SampledComponent] {
+    pub fn components(&self) -> &[Component] {
         &self.components
     }
 
@@ -91,22 +80,7 @@ impl SampledCurve {
     /// A closed component of two samples has one edge, one of a single sample none.
     #[must_use]
     pub fn manifold_boundary(&self) -> EdgeSet {
-        let edges = self.components.iter().flat_map(|component| {
-            let range = component.range.clone();
-            let next = move |i: usize| {
-                if i + 1 < range.end {
-                    i + 1
-                } else {
-                    range.start
-                }
-            };
-            let joined = component.range.len() - usize::from(!component.closed);
-            component
-                .range
-                .clone()
-                .take(joined)
-                .filter_map(move |i| Edge::new(PointId::new(i)?, PointId::new(next(i))?))
-        });
+        let edges = self.components.iter().flat_map(Component::edges);
         EdgeSet::new(self.points.len(), edges)
     }
 
@@ -123,7 +97,7 @@ impl SampledCurve {
             self.dense_indices.push(i);
         }
         let range = start..self.points.len();
-        self.components.push(SampledComponent { range, closed });
+        self.components.push(Component { range, closed });
     }
 
     pub(crate) fn push_closing(&mut self, interval: ClosingInterval) {

@@ -1,5 +1,6 @@
 //! Samplings to compare with: at equal lengths of arc, and unevenly thinned.
 
+use curvecrust_geometry::Component;
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::certified::certified;
@@ -28,7 +29,7 @@ pub fn sample_uniformly(measured: &MeasuredCurve, step: f64) -> Result<Sampling,
         });
     }
     let points = measured.dense().points();
-    let along = |component: &curvecrust_curve::DenseComponent| -> Vec<f64> {
+    let along = |component: &Component| -> Vec<f64> {
         let start = component.range.start;
         let closing = component.closed.then_some(start);
         let mut length = 0.0;
@@ -148,7 +149,7 @@ pub fn sample_unevenly_with(
             positions.push(to);
             from = to;
         }
-        if gaps.closed {
+        if gaps.component.closed {
             positions.pop();
         }
         Ok(positions)

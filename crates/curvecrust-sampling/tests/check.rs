@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use common::{arch, fixtures};
 use curvecrust_curve::analytic::{Circle, Stadium};
-use curvecrust_curve::{Curve, CurveParam, DenseComponent, DenseCurve};
-use curvecrust_geometry::DVec2;
+use curvecrust_curve::{Curve, CurveParam, DenseCurve};
+use curvecrust_geometry::{Component, DVec2};
 use curvecrust_medial_axis::{
     Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure_with,
 };
@@ -265,7 +265,7 @@ fn a_point_is_a_curve() {
         segment: 0,
         t: 0.0,
     };
-    let component = DenseComponent {
+    let component = Component {
         range: 0..1,
         closed: false,
     };

@@ -6,7 +6,7 @@ mod common;
 use std::f64::consts::TAU;
 
 use common::Random;
-use curvecrust_curve::{Component, CubicBezier, Curve, SplitCurve};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve, SplitCurve};
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::MedialAxisError;
 use curvecrust_reconstruct::hnn_crust;
@@ -167,7 +167,7 @@ fn random_corners(random: &mut Random) -> SplitCurve {
         let third = (q - p) / 3.0;
         CubicBezier::new([p, p + third + bend, q - third + bend, q])
     });
-    SplitCurve::new(vec![Component::new(arcs.collect(), true)]).unwrap()
+    SplitCurve::new(vec![BezierPath::new(arcs.collect(), true)]).unwrap()
 }
 
 /// How many corners are farther from one of their neighbours than those are from each other, and clearly farther than

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use curvecrust::curve::{Component, CubicBezier, Curve};
+use curvecrust::curve::{BezierPath, CubicBezier, Curve};
 use curvecrust::evaluate::EdgeComparison;
 use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Segment};
 use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
@@ -62,7 +62,7 @@ fn restarted(curve: &Curve, seed: u64) -> Curve {
             segments[0] = after;
             segments.push(before);
         }
-        Component::new(segments, component.is_closed())
+        BezierPath::new(segments, component.is_closed())
     });
     Curve::new(components.collect()).unwrap()
 }

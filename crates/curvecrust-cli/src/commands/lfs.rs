@@ -61,7 +61,7 @@ fn write_csv(out: &mut dyn Write, measured: &MeasuredCurve) -> io::Result<()> {
 fn object(measured: &MeasuredCurve) -> Object {
     let points = measured.dense().points();
     let components = measured.dense().components().iter();
-    let component = |component: &curvecrust::curve::DenseComponent| {
+    let component = |component: &curvecrust::geometry::Component| {
         let range = component.range.clone();
         Component {
             closed: component.closed,

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use glam::DVec2;
 
 use crate::curve::CurveParam;
-use crate::dense::{Builder, DENSE_LIMIT, DenseCurve, at_most_limit};
-use crate::error::DenseError;
+use crate::dense::{Builder, DenseCurve, at_most_limit};
+use crate::error::{DENSE_LIMIT, DenseError};
 
 /// A smooth part of a curve, one segment of its parameter.
 #[derive(Clone, Copy)]

@@ -8,7 +8,7 @@ use svgtypes::{AspectRatio, Length, LengthUnit, NumberListParser, ViewBox};
 use usvg::roxmltree::{Attribute, Document, Node, NodeId};
 
 use super::SVG;
-use crate::component::Component;
+use crate::bezier_path::BezierPath;
 use crate::error::CurveError;
 use crate::path_data;
 
@@ -50,7 +50,7 @@ pub(super) struct PathElement<'a, 'input> {
     /// Where its path data stand in the text of the document.
     pub(super) d: Range<usize>,
     /// What it draws, in its own coordinates.
-    pub(super) components: Vec<Component>,
+    pub(super) components: Vec<BezierPath>,
 }
 
 /// How messages name an element.

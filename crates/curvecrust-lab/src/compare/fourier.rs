@@ -7,7 +7,7 @@
 use super::random::Random;
 use anyhow::bail;
 use curvecrust::DVec2;
-use curvecrust::curve::{Component, CubicBezier, Curve};
+use curvecrust::curve::{BezierPath, CubicBezier, Curve};
 use curvecrust::geometry::Segment;
 use std::f64::consts::TAU;
 
@@ -55,14 +55,14 @@ impl Polynomial {
         at
     }
 
-    fn component(&self) -> Component {
+    fn component(&self) -> BezierPath {
         let step = TAU / f64::from(PIECES);
         let knot = |i: u32| self.at(f64::from(i % PIECES) * step);
         let piece = |i: u32| {
             let ([a, da], [b, db]) = (knot(i), knot(i + 1));
             CubicBezier::new([a, a + da * (step / 3.0), b - db * (step / 3.0), b])
         };
-        Component::new((0..PIECES).map(piece).collect(), true)
+        BezierPath::new((0..PIECES).map(piece).collect(), true)
     }
 
     /// Whether two points are nearer than strands may be, though the way between them along the curve

@@ -58,7 +58,7 @@ mod tests {
 
     use super::*;
     use crate::compare::scene::{Named, Scene};
-    use curvecrust::curve::{Component, Curve};
+    use curvecrust::curve::{BezierPath, Curve};
 
     /// The files of a folder of the fixtures, as the manifest names them.
     fn files(folder: &str) -> Vec<String> {
@@ -91,7 +91,7 @@ mod tests {
                 parts.iter().all(|part| part.is_closed() == entry.closed),
                 "{name}"
             );
-            let segments = parts.iter().map(Component::segments).map(<[_]>::len);
+            let segments = parts.iter().map(BezierPath::segments).map(<[_]>::len);
             assert_eq!(segments.sum::<usize>(), entry.segments, "{name}");
             assert!(
                 !entry.shows.is_empty() && !entry.source.is_empty(),

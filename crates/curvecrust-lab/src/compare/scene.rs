@@ -188,7 +188,7 @@ fn drawn(path: &Path) -> anyhow::Result<Curve> {
 
 fn parts(measured: &MeasuredCurve) -> Vec<Part> {
     let dense = measured.dense();
-    let of = |component: &curvecrust::curve::DenseComponent| Part {
+    let of = |component: &curvecrust::geometry::Component| Part {
         points: dense.points()[component.range.clone()].to_vec(),
         closed: component.closed,
         lfs: measured.lfs().values()[component.range.clone()].to_vec(),

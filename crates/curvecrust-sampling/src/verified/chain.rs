@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use curvecrust_curve::DenseComponent;
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{Component, DVec2};
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::condition::DeviationLimit;
@@ -14,10 +13,10 @@ use crate::sampled_curve::SampledCurve;
 /// The samples of a component, by the dense points that they are.
 #[derive(Clone, Debug)]
 pub(crate) struct Chain {
-    pub(crate) closed: bool,
     /// Ascending, but for one place where a closed chain passes the first dense point.
     pub(crate) samples: Vec<usize>,
-    range: Range<usize>,
+    /// The dense points.
+    pub(crate) component: Component,
 }
 
 /// A sample: index of its chain, and of itself there.
@@ -33,62 +32,44 @@ pub(crate) struct Chains<'a> {
 impl Chain {
     /// The samples before and after one; an open end has one of them.
     pub(crate) fn neighbours(&self, at: usize) -> [Option<usize>; 2] {
-        let count = self.samples.len();
-        let before = match at.checked_sub(1) {
-            None if self.closed => Some(count - 1),
-            before => before,
-        };
-        let after = if at + 1 < count {
-            Some(at + 1)
-        } else {
-            self.closed.then_some(0)
-        };
-        [before, after].map(|at| at.map(|at| self.samples[at]))
+        let order = self.order();
+        [order.previous(at), order.next(at)].map(|at| at.map(|at| self.samples[at]))
+    }
+
+    /// The samples by their index in the chain.
+    pub(crate) fn order(&self) -> Component {
+        Component {
+            range: 0..self.samples.len(),
+            closed: self.component.closed,
+        }
     }
 
     /// The fewest samples that make a chain.
     pub(crate) fn least(&self) -> usize {
-        if self.closed { 3 } else { 2 }
+        if self.component.closed { 3 } else { 2 }
     }
 
     /// The dense points strictly between two.
     pub(crate) fn between(&self, from: usize, to: usize) -> usize {
-        let ahead = if to > from {
-            to - from
-        } else {
-            to + self.range.len() - from
-        };
-        ahead - 1
-    }
-
-    /// The dense point so many after another.
-    pub(crate) fn after(&self, from: usize, by: usize) -> usize {
-        let at = from + by;
-        if at < self.range.end {
-            at
-        } else {
-            at - self.range.len()
-        }
+        self.component.steps(from, to) - 1
     }
 
     /// Whether the curve between two samples keeps the limit.
     pub(crate) fn keeps(&self, gaps: &Gaps, limit: DeviationLimit, from: usize, to: usize) -> bool {
-        let (from, to) = (from - self.range.start, to - self.range.start);
-        let to = if to > from { to } else { to + gaps.len() };
-        gaps.keeps(limit, from, to)
+        let first = from - self.component.range.start;
+        gaps.keeps(limit, first, first + self.component.steps(from, to))
     }
 }
 
 impl<'a> Chains<'a> {
     pub(crate) fn new(measured: &'a MeasuredCurve, placed: &PlacedSamples) -> Self {
         let components = measured.dense().components().iter();
-        let chain = |(dense, samples): (&DenseComponent, Range<usize>)| Chain {
-            closed: dense.closed,
+        let chain = |(component, samples): (&Component, Range<usize>)| Chain {
             samples: placed.placements()[samples]
                 .iter()
                 .map(|p| p.dense)
                 .collect(),
-            range: dense.range.clone(),
+            component: component.clone(),
         };
         let ranges = placed.components().iter().cloned();
         Self {
@@ -105,9 +86,8 @@ impl<'a> Chains<'a> {
             let range = start..start + count;
             start = range.end;
             Chain {
-                closed,
                 samples: range.clone().collect(),
-                range,
+                component: Component { range, closed },
             }
         };
         let chains = chains.iter().map(chain).collect();
@@ -142,7 +122,11 @@ impl<'a> Chains<'a> {
         for chain in &self.chains {
             let mut samples = chain.samples.clone();
             samples.sort_unstable();
-            sampled.push_component(measured.dense(), samples.into_iter(), chain.closed);
+            sampled.push_component(
+                measured.dense(),
+                samples.into_iter(),
+                chain.component.closed,
+            );
         }
         sampled
     }
@@ -154,9 +138,11 @@ mod tests {
 
     fn chain(closed: bool, samples: &[usize]) -> Chain {
         Chain {
-            closed,
             samples: samples.to_vec(),
-            range: 10..30,
+            component: Component {
+                range: 10..30,
+                closed,
+            },
         }
     }
 
@@ -180,7 +166,7 @@ mod tests {
         ] {
             assert_eq!(closed.between(from, to), between);
             // One point after the last of them is the other sample.
-            assert_eq!(closed.after(from, between + 1), to);
+            assert_eq!(closed.component.after(from, between + 1), to);
         }
     }
 }

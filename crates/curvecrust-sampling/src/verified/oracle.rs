@@ -1,6 +1,6 @@
 //! Whether an algorithm still returns the manifold boundary after a step.
 
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
+use curvecrust_geometry::{Component, DVec2, EdgeSet, PointSet};
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
 use super::chain::{Chains, Place};
@@ -79,13 +79,12 @@ impl<'a> Oracle<'a> {
         let mut edges = Vec::with_capacity(points.len());
         let mut first = 0;
         for chain in &chains.chains {
-            let count = chain.samples.len();
-            let joined = if chain.closed { count } else { count - 1 };
-            edges.extend((0..joined).filter_map(|i| {
-                let ends = [first + i, first + (i + 1) % count].map(PointId::new);
-                Edge::new(ends[0]?, ends[1]?)
-            }));
-            first += count;
+            let order = Component {
+                range: first..first + chain.samples.len(),
+                closed: chain.component.closed,
+            };
+            edges.extend(order.edges());
+            first = order.range.end;
         }
         self.algorithm.reconstruct(&points) == EdgeSet::new(first, edges)
     }
@@ -141,7 +140,7 @@ fn is_a_clear_end(chains: &Chains, end: usize, neighbour: usize) -> bool {
         by(p).total_cmp(&by(q))
     });
     let is_end = |q: usize| {
-        let open = chains.chains.iter().filter(|c| !c.closed);
+        let open = chains.chains.iter().filter(|c| !c.component.closed);
         open.flat_map(|c| [c.samples.first(), c.samples.last()])
             .any(|end| end == Some(&q))
     };

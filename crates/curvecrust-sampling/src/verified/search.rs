@@ -61,7 +61,7 @@ impl<'a> Search<'a> {
                     break;
                 };
                 let by = 1 + portion(room, share);
-                let place = self.chains.chains[chain].after(from, by);
+                let place = self.chains.chains[chain].component.after(from, by);
                 if self.replace(chain, at, 1, Some(place)) {
                     break;
                 }
@@ -77,7 +77,7 @@ impl<'a> Search<'a> {
         let shift = self.random.between(0.0, 1.0);
         (0..TRIES).any(|i| {
             let by = 1 + portion(room, (i as f64 + shift) / TRIES as f64);
-            let place = self.chains.chains[chain].after(from, by);
+            let place = self.chains.chains[chain].component.after(from, by);
             self.replace(chain, at, 2, Some(place))
         })
     }
@@ -87,13 +87,10 @@ impl<'a> Search<'a> {
     fn room(&self, chain: usize, at: usize, count: usize) -> Option<(usize, usize)> {
         let this = &self.chains.chains[chain];
         let len = this.samples.len();
-        let last = if at + count <= len {
-            at + count - 1
-        } else if this.closed {
-            at + count - 1 - len
-        } else {
+        if at + count > len && !this.component.closed {
             return None;
-        };
+        }
+        let last = this.order().after(at, count - 1);
         let (before, after) = (this.neighbours(at)[0]?, this.neighbours(last)[1]?);
         Some((before, this.between(before, after)))
     }

@@ -9,7 +9,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use curvecrust_curve::{Component, CubicBezier, Curve};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve};
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 
@@ -77,7 +77,7 @@ pub fn random_closed(random: &mut Random) -> Curve {
         let placed = segments
             .into_iter()
             .map(|s| CubicBezier::new(s.control_points().map(|p| centre + size * p)));
-        Component::new(placed.collect(), true)
+        BezierPath::new(placed.collect(), true)
     });
     Curve::new(components.collect()).unwrap()
 }

@@ -1,15 +1,14 @@
-//! Components: the connected pieces of a curve, and the rule by which a subpath is closed.
+//! Paths of cubic Béziers, and the rule by which a subpath of SVG is closed.
 
 use glam::DVec2;
 
-use crate::bezier::CubicBezier;
-use crate::curve::bounds;
+use crate::bezier::{CubicBezier, bounds};
 
-/// A chain of cubic Béziers, open or closed.
+/// Cubic Béziers that follow each other, open or closed: a connected component of a curve.
 ///
 /// By itself a plain value; [`Curve::new`](crate::Curve::new) checks it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Component {
+pub struct BezierPath {
     segments: Vec<CubicBezier>,
     closed: bool,
 }
@@ -17,8 +16,8 @@ pub struct Component {
 /// Ends that are nearer than this fraction of the extent of their subpath meet.
 const CLOSING_GAP: f64 = 1e-6;
 
-impl Component {
-    /// The chain of the given segments; in a closed one the last has to end where the first starts.
+impl BezierPath {
+    /// The path of the given segments; in a closed one the last has to end where the first starts.
     ///
     /// Segments whose four control points are equal draw nothing and are left out.
     #[must_use]
@@ -29,11 +28,11 @@ impl Component {
 
     /// A subpath of SVG, which is closed by `Z`, or when its ends meet within 1e-6 of its extent.
     pub(crate) fn from_subpath(segments: Vec<CubicBezier>, z: bool) -> Self {
-        let mut component = Self::new(segments, z);
-        let segments = &mut component.segments;
+        let mut path = Self::new(segments, z);
+        let segments = &mut path.segments;
         let (low, high) = bounds(segments.iter());
         let (Some(first), Some(last)) = (segments.first().copied(), segments.last_mut()) else {
-            return component;
+            return path;
         };
         let gap = first.start() - last.end();
         if gap.length() <= CLOSING_GAP * (high - low).max_element() {
@@ -41,15 +40,15 @@ impl Component {
             let [p0, p1, p2, p3] = last.control_points();
             let snapped = |p: DVec2, other: DVec2| if p == p3 { first.start() } else { other };
             *last = CubicBezier::new([p0, snapped(p1, p1), snapped(p2, p2 + gap), first.start()]);
-            component.closed = true;
+            path.closed = true;
         } else if z {
             let closing = CubicBezier::line(last.end(), first.start());
             segments.push(closing);
         }
-        component
+        path
     }
 
-    /// The segments, in order along the component.
+    /// The segments, in order along the path.
     #[must_use]
     pub fn segments(&self) -> &[CubicBezier] {
         &self.segments
