@@ -2,8 +2,9 @@
 
 use curvecrust_geometry::{DVec2, EdgeSet, PointSet};
 
+use crate::distances::Distances;
 use crate::edges::EdgeComparison;
-use crate::reference::{Distances, Reference};
+use crate::reference::Reference;
 use crate::topology::Topology;
 
 /// What should have been found.

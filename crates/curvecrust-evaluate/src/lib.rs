@@ -6,6 +6,7 @@
 //! | [`topology`] | [`Topology`]: closed, open and branching components, degrees |
 //! | [`mod@hausdorff`] | [`Hausdorff`]: two-sided distance of a polygon and the smooth curve, between bounds |
 //! | [`rms`] | [`RootMeanSquare`]: the same on average |
+//! | [`distances`] | [`Distances`]: both of these |
 //! | [`mod@reference`] | [`Reference`]: the true curve, prepared for the distances of many reconstructions |
 //! | [`evaluation`] | [`Evaluation`]: all of these at once |
 //! | [`metric`] | [`METRICS`]: the numbers in it |
@@ -45,6 +46,7 @@
 //! ```
 
 pub mod bounds;
+pub mod distances;
 pub mod edges;
 pub mod evaluation;
 pub mod hausdorff;
@@ -54,10 +56,11 @@ pub mod rms;
 pub mod topology;
 
 pub use bounds::Bounds;
+pub use distances::Distances;
 pub use edges::EdgeComparison;
 pub use evaluation::{Evaluation, Kind, Output, Truth};
 pub use hausdorff::{Hausdorff, hausdorff};
 pub use metric::{Better, METRICS, Metric, Precision};
-pub use reference::{Distances, Reference};
+pub use reference::Reference;
 pub use rms::RootMeanSquare;
 pub use topology::Topology;

@@ -3,9 +3,6 @@
 use curvecrust_curve::{CubicBezier, Curve};
 use curvecrust_geometry::{DVec2, EdgeSet, PointSet, Segment, SegmentTree};
 
-use crate::hausdorff::{self, Hausdorff};
-use crate::rms::{self, RootMeanSquare};
-
 /// A curve as chords near to it, ready for [distances](Self::distances).
 ///
 /// ```
@@ -27,15 +24,6 @@ pub struct Reference {
     tree: SegmentTree,
     flatness: f64,
     extent: f64,
-}
-
-/// How far a reconstruction and the curve are apart.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Distances {
-    /// At most.
-    pub hausdorff: Hausdorff,
-    /// On average.
-    pub rms: RootMeanSquare,
 }
 
 impl Reference {
@@ -74,21 +62,6 @@ impl Reference {
     #[must_use]
     pub fn extent(&self) -> f64 {
         self.extent
-    }
-
-    /// The distances between the curve and the edges of a reconstruction, whose vertices need not
-    /// lie on the curve, with bounds about `tolerance` apart: a length in the unit of the curve,
-    /// taken as at least 1e-7 of its extent.
-    ///
-    /// Infinite when there is no edge, or nothing to compare with.
-    #[must_use]
-    pub fn distances(&self, points: &PointSet, edges: &EdgeSet, tolerance: f64) -> Distances {
-        let tolerance = tolerance.max(1e-7 * self.extent);
-        let polygon = Polygon::new(points, edges);
-        Distances {
-            hausdorff: hausdorff::between(self, &polygon, tolerance),
-            rms: rms::between(self, &polygon, tolerance),
-        }
     }
 
     pub(crate) fn chords(&self) -> &[Segment] {
