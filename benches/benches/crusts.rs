@@ -4,8 +4,8 @@
 #![allow(clippy::expect_used, reason = "a benchmark may panic")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use curvecrust_benches::generators::many_curves;
 use curvecrust_reconstruct::ALGORITHMS;
+use curvecrust_testing::planted::many_curves;
 
 fn crusts(c: &mut Criterion) {
     let count = 100_000;

@@ -4,8 +4,8 @@
 #![allow(clippy::expect_used, reason = "a benchmark may panic")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use curvecrust_benches::generators::{many_curves, mixed_scale, one_curve, uniform};
 use curvecrust_benches::peers;
+use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 use curvecrust_voronoi::Delaunay;
 
 fn delaunay(c: &mut Criterion) {

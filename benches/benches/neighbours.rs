@@ -4,9 +4,9 @@
 #![allow(clippy::expect_used, reason = "a benchmark may panic")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use curvecrust_benches::generators::{many_curves, mixed_scale, one_curve, uniform};
 use curvecrust_benches::peers;
 use curvecrust_reconstruct::{hnn_crust, nn_crust};
+use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 
 fn inputs(c: &mut Criterion) {
     let count = 100_000;

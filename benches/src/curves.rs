@@ -8,8 +8,8 @@ use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_sampling::{Condition, sample, sample_at_dense_points, sample_curve, sample_fewest};
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
-use crate::generators::one_curve;
 use crate::stages::Sizes;
+use curvecrust_testing::planted::one_curve;
 
 /// The points of `one_curve`, in order along the curve.
 ///

@@ -4,8 +4,8 @@ use curvecrust_geometry::{DVec2, PointSet, PointSetError};
 use curvecrust_reconstruct::{crust, least_detour};
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
-use crate::generators::{many_curves, uniform};
 use crate::stages::Sizes;
+use curvecrust_testing::planted::{many_curves, uniform};
 
 /// All rows; on one thread.
 ///

@@ -5,9 +5,7 @@
 
 pub mod comparison;
 pub mod curves;
-pub mod generators;
 pub mod least_detour;
 pub mod machine;
 pub mod peers;
-pub mod random;
 pub mod stages;

@@ -3,13 +3,11 @@
 use std::num::NonZero;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use glam::DVec2;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
-
-use crate::random::Random;
 
 /// Points as kiddo takes them.
 #[must_use]
@@ -135,8 +133,8 @@ pub fn sorted(keys: &[u64]) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generators::{many_curves, mixed_scale, one_curve, uniform};
     use curvecrust_reconstruct::hnn_crust;
+    use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 
     #[test]
     fn all_find_the_same_edges() {

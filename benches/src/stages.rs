@@ -7,8 +7,8 @@ use curvecrust_voronoi::Delaunay;
 use glam::DVec2;
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
-use crate::generators::{many_curves, mixed_scale, one_curve, uniform};
 use crate::peers;
+use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 
 /// The numbers of points, and of rounds of which the median is taken.
 #[derive(Clone, Copy, Debug)]

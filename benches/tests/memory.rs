@@ -1,7 +1,7 @@
 //! What HNN-Crust allocates at its peak. Alone in its program, so that nothing else allocates.
 
-use curvecrust_benches::generators::many_curves;
 use curvecrust_reconstruct::hnn_crust;
+use curvecrust_testing::planted::many_curves;
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]

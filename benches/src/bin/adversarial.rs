@@ -4,16 +4,12 @@
 
 #![allow(clippy::print_stdout, reason = "a program for a terminal")]
 
-#[path = "../../../crates/curvecrust/tests/adversarial/inputs.rs"]
-#[allow(dead_code, reason = "shared with a test")]
-mod inputs;
-
 use std::hint::black_box;
 use std::time::Instant;
 
 use curvecrust_geometry::PointSet;
 use curvecrust_reconstruct::{ALGORITHMS, Reconstructor};
-use inputs::{CELLS, Cell, WELL_SPREAD};
+use curvecrust_testing::hard_points::{HARD_POINTS, HardPoints, WELL_SPREAD};
 
 /// Of each algorithm on each set.
 const RUNS: usize = 3;
@@ -35,22 +31,22 @@ fn main() {
     println!("{:>38} {:>8} {}", "", "set", names.join(" "));
     let spread = times(&WELL_SPREAD, size, &algorithms);
     row(WELL_SPREAD.name, &names, &spread, |t| format!("{t:.4} s"));
-    for cell in CELLS.iter().filter(|cell| cell.name.contains(&sets)) {
-        let found = times(cell, size, &algorithms);
+    for hard in HARD_POINTS.iter().filter(|hard| hard.name.contains(&sets)) {
+        let found = times(hard, size, &algorithms);
         let ratios: Vec<f64> = found.iter().zip(&spread).map(|(a, b)| a / b).collect();
-        row(cell.name, &names, &ratios, |r| {
+        row(hard.name, &names, &ratios, |r| {
             format!("{r:.2}{}", if r > 4.0 { "!" } else { "" })
         });
     }
 }
 
 /// The time to take the points, then that of each algorithm, for each of `size` points.
-fn times(cell: &Cell, size: usize, algorithms: &[&dyn Reconstructor]) -> Vec<f64> {
-    let given = (cell.points)(size);
+fn times(hard: &HardPoints, size: usize, algorithms: &[&dyn Reconstructor]) -> Vec<f64> {
+    let given = (hard.points)(size);
     let points = match PointSet::merging_duplicates(given.clone()) {
         Ok(merged) => merged.points,
         Err(error) => {
-            println!("{}: {error}", cell.name);
+            println!("{}: {error}", hard.name);
             return vec![f64::NAN; 1 + algorithms.len()];
         }
     };

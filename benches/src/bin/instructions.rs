@@ -7,11 +7,11 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use curvecrust_benches::curves::dense_one_curve;
-use curvecrust_benches::generators::{many_curves, uniform};
 use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
 use curvecrust_reconstruct::{crust, least_detour};
 use curvecrust_sampling::{Condition, sample};
+use curvecrust_testing::planted::{many_curves, uniform};
 use curvecrust_voronoi::Delaunay;
 
 /// Points for the algorithms, and dense points of a curve.

@@ -1,4 +1,4 @@
-//! The curves of the paper, where its data is at hand, and those drawn for this project.
+//! The curves of the paper, where its data is at hand.
 #![allow(
     clippy::panic,
     clippy::unwrap_used,
@@ -6,22 +6,18 @@
 )]
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use curvecrust_curve::{BezierPath, Curve, DenseCurve};
+use curvecrust_curve::{Curve, DenseCurve};
 
 fn read(path: &Path) -> Curve {
     let svg = fs::read_to_string(path).unwrap();
     Curve::from_svg(&svg).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn near_manifest(relative: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(relative)
-}
-
 #[test]
 fn the_curves_of_the_paper() {
-    let folder = near_manifest("../../../shared/paper-data/curves");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/paper-data/curves");
     if !folder.is_dir() {
         println!("skipped: the curves of the paper are not here");
         return;
@@ -43,25 +39,5 @@ fn the_curves_of_the_paper() {
         let extent = numbers[2].max(numbers[3]) - 20.0;
         println!("{name}: extent {}, viewBox {numbers:?}", curve.extent());
         assert!((curve.extent() / extent - 1.0).abs() < 1e-4, "{name}");
-    }
-}
-
-#[test]
-fn the_fixtures_of_this_project() {
-    let folder = near_manifest("../../fixtures/curves");
-    let Ok(entries) = fs::read_dir(&folder) else {
-        println!("skipped: no fixtures here");
-        return;
-    };
-    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    for path in paths
-        .iter()
-        .filter(|p| p.extension().is_some_and(|e| e == "svg"))
-    {
-        let curve = read(path);
-        let segments = curve.components().iter().flat_map(BezierPath::segments);
-        assert!(curve.extent() > 0.0);
-        println!("{}: {} segments", path.display(), segments.count());
     }
 }

@@ -12,6 +12,7 @@
 //! | [`spatial_order`] | [`hilbert_order`], [`in_hilbert_order`] | an order in which neighbours are close |
 //! | [`progress`] | [`Progress`] | a listener to long tasks |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
+//! | [`random`] | [`Random`] | seeded numbers, the same on every machine |
 //!
 //! Points are [`glam::DVec2`]; [`glam`] is re-exported, so that a user has the same version of it.
 
@@ -22,6 +23,7 @@ mod hilbert;
 pub mod point_set;
 pub mod predicates;
 pub mod progress;
+pub mod random;
 pub mod segment;
 pub mod segment_tree;
 pub mod similarity;
@@ -34,6 +36,7 @@ pub use glam::{self, DVec2};
 pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use progress::Progress;
+pub use random::Random;
 pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;

@@ -115,10 +115,9 @@ fn scale_and_place_do_not_matter() {
 
 #[test]
 fn jumps_of_curvature_do_not_make_lfs_too_large() {
-    use curvecrust_curve::Curve;
     use curvecrust_medial_axis::measure;
     // Curvature jumps at the joins of its Béziers, where branches of the axis end.
-    let curve = Curve::from_svg(include_str!("../../../fixtures/curves/violin.svg")).unwrap();
+    let curve = curvecrust_testing::fixtures::curve("violin");
     let measured = measure(&curve).unwrap();
     let eight = vec![8; measured.dense().len()];
     let fine = measured.dense().refined(&curve, &eight).unwrap();

@@ -246,12 +246,12 @@ mod tests {
     /// By definition: the first of the starts from which the fewest jumps go round.
     #[test]
     fn the_best_start_is_the_first_with_the_fewest_jumps() {
-        let mut random = crate::random::Random::new(3);
+        let mut random = curvecrust_geometry::Random::new(3);
         for round in (1..40).chain([200]) {
             for longest in [1.0, 3.0, 9.0, 60.0] {
                 let jump = |_| {
                     (1..=round)
-                        .filter(|_| random.between(0.0, longest) < 1.0)
+                        .filter(|_| random.fine_between(0.0, longest) < 1.0)
                         .count()
                         .max(1)
                 };

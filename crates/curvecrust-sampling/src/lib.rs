@@ -45,7 +45,6 @@ mod interval;
 pub mod noise;
 pub mod pieces;
 pub mod placed;
-mod random;
 pub mod sampled_curve;
 pub mod sampling;
 pub mod theory;

@@ -1,9 +1,8 @@
 //! Samples that went wrong: seeded noise and outliers, for what reconstructions make of them.
 
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{DVec2, Random};
 
 use crate::error::SamplingError;
-use crate::random::Random;
 use crate::sampling::Sampling;
 
 /// How samples are displaced.
@@ -103,7 +102,10 @@ pub fn with_noise(sampling: &Sampling, noise: Noise) -> Result<Vec<DVec2>, Sampl
 /// A uniform point of the unit disc other than its centre, and its squared distance to it.
 fn in_disc(random: &mut Random) -> (DVec2, f64) {
     loop {
-        let p = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let p = DVec2::new(
+            random.fine_between(-1.0, 1.0),
+            random.fine_between(-1.0, 1.0),
+        );
         let squared = p.length_squared();
         if squared > 0.0 && squared < 1.0 {
             return (p, squared);
@@ -138,8 +140,8 @@ pub fn with_outliers(points: &[DVec2], outliers: Outliers) -> Result<Vec<DVec2>,
     let (low, high) = (low - wider, high + wider);
     let mut random = Random::new(seed);
     all.extend((0..count).map(|_| {
-        let x = random.between(low.x, high.x);
-        DVec2::new(x, random.between(low.y, high.y))
+        let x = random.fine_between(low.x, high.x);
+        DVec2::new(x, random.fine_between(low.y, high.y))
     }));
     Ok(all)
 }

@@ -1,13 +1,12 @@
 //! Samplings to compare with: at equal lengths of arc, and unevenly thinned.
 
-use curvecrust_geometry::Component;
+use curvecrust_geometry::{Component, Random};
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::certified::certified;
 use crate::condition::Condition;
 use crate::error::{SAMPLE_LIMIT, SamplingError, whole};
 use crate::gaps::Gaps;
-use crate::random::Random;
 use crate::sampled_curve::SampledCurve;
 use crate::sampling::Sampling;
 
@@ -136,7 +135,7 @@ pub fn sample_unevenly_with(
         let (mut from, end) = (0, gaps.len());
         while from < end {
             let farthest = gaps.farthest(condition, from, guess, end).ok_or(from)?;
-            let share = random.between(fraction, 1.0) * (farthest - from) as f64;
+            let share = random.fine_between(fraction, 1.0) * (farthest - from) as f64;
             let step = usize::try_from(whole(share.ceil())).unwrap_or(usize::MAX);
             let to = from.saturating_add(step).min(farthest);
             // With a Hausdorff limit, a part of what holds need not hold.

@@ -1,14 +1,11 @@
 //! Certified samplings, re-checked by other means at a finer discretisation.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-mod common;
-
 use std::f64::consts::TAU;
 use std::sync::Mutex;
 
-use common::{Random, fixtures, random_closed};
 use curvecrust_curve::{Curve, DenseCurve};
-use curvecrust_geometry::{Progress, Segment};
+use curvecrust_geometry::{Progress, Random, Segment};
 use curvecrust_medial_axis::{
     Discretisation, Estimator, LocalFeatureSize, MeasureOptions, MeasuredCurve, MedialAxis,
     MedialAxisError, measure_with,
@@ -17,6 +14,8 @@ use curvecrust_sampling::{
     Bound, Condition, SampleOptions, SampledCurve, SamplingError, sample, sample_at_dense_points,
     sample_curve, sample_curve_with,
 };
+use curvecrust_testing::curves::random_closed;
+use curvecrust_testing::fixtures;
 use rayon::prelude::*;
 
 /// How many times finer the checker looks.
@@ -153,7 +152,7 @@ fn recheck(name: &str, curve: &Curve, measured: &MeasuredCurve, fine: &Fine) -> 
 
 #[test]
 fn fixtures_hold_at_every_point() {
-    fixtures().par_iter().for_each(|(name, curve)| {
+    fixtures::curves().par_iter().for_each(|(name, curve)| {
         // The axis of the very points that are sampled.
         let measured = measured(curve, 0.02);
         let measured = MeasuredCurve::new(measured.dense().clone(), Estimator::Voronoi).unwrap();
@@ -169,7 +168,7 @@ fn fixtures_hold_at_every_point() {
 #[test]
 fn fixtures_hold_by_lfs_measured_anew() {
     // What lfs is wrong by at gaps of 0.02 is less than what is left of the bound between dense points.
-    fixtures().par_iter().for_each(|(name, curve)| {
+    fixtures::curves().par_iter().for_each(|(name, curve)| {
         let measured = measured(curve, 0.02);
         let fine = Fine::by_its_own_axis(curve, &measured);
         recheck(name, curve, &measured, &fine);

@@ -5,7 +5,7 @@ mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use common::{arch, fixtures};
+use common::arch;
 use curvecrust_curve::analytic::{Circle, Stadium};
 use curvecrust_curve::{Curve, CurveParam, DenseCurve};
 use curvecrust_geometry::{Component, DVec2};
@@ -16,6 +16,7 @@ use curvecrust_sampling::{
     Bound, ClosingInterval, Condition, PlacedSamples, Placement, SampledCurve, SamplingError,
     check, effective_epsilon, effective_rho, sample, sample_at_dense_points,
 };
+use curvecrust_testing::fixtures;
 
 fn measured(dense: DenseCurve) -> MeasuredCurve {
     MeasuredCurve::new(dense, Estimator::Voronoi).unwrap()
@@ -124,7 +125,7 @@ fn at_dense_points(measured: &MeasuredCurve, sampled: &SampledCurve, bound: Boun
 #[test]
 fn samplers_attain_their_bounds() {
     const GAP: f64 = 0.02;
-    for (name, curve) in fixtures() {
+    for (name, curve) in fixtures::curves() {
         let measured = by(&curve, Discretisation::Adaptive { gap_to_lfs: GAP });
         for b in [0.9, 0.47] {
             for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {

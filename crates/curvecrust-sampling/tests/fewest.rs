@@ -1,18 +1,17 @@
 //! The fewest samples of all starts, against every start and against all samplings.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-mod common;
-
 use std::sync::Mutex;
 
-use common::{Random, fixtures, random_closed};
 use curvecrust_curve::Curve;
-use curvecrust_geometry::Progress;
+use curvecrust_geometry::{Progress, Random};
 use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust_sampling::{
     Condition, PlacedSamples, Placement, SampleOptions, check, sample, sample_fewest,
     sample_fewest_with,
 };
+use curvecrust_testing::curves::random_closed;
+use curvecrust_testing::fixtures;
 
 fn measured(curve: &Curve, gap_to_lfs: f64) -> Option<MeasuredCurve> {
     let options = MeasureOptions {
@@ -106,7 +105,7 @@ fn no_sampling_at_the_same_points_has_fewer() {
 #[test]
 fn never_more_than_from_the_first_point() {
     let mut saved = 0;
-    for (name, curve) in fixtures() {
+    for (name, curve) in fixtures::curves() {
         let measured = measured(&curve, 0.05).unwrap();
         let rho = Condition::rho(0.9).unwrap();
         let limited = rho.with_hausdorff_limit(0.004 * curve.extent()).unwrap();
@@ -168,10 +167,7 @@ fn greedy_is_not_optimal_with_a_limit() {
 
 #[test]
 fn progress_is_reported_in_small_steps() {
-    let (_, curve) = fixtures()
-        .into_iter()
-        .find(|(name, _)| name == "teaser")
-        .unwrap();
+    let curve = fixtures::curve("teaser");
     let measured = measured(&curve, 0.02).unwrap();
     let rho = Condition::rho(0.9).unwrap();
     for condition in [rho, rho.with_hausdorff_limit(0.1 * curve.extent()).unwrap()] {

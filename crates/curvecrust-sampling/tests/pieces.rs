@@ -1,13 +1,10 @@
 //! Curves with corners: what is refused, and what samples of their pieces keep.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::Random;
 use curvecrust_curve::{BezierPath, CubicBezier, Curve, SplitCurve};
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{DVec2, Random};
 use curvecrust_medial_axis::MedialAxisError;
 use curvecrust_reconstruct::hnn_crust;
 use curvecrust_sampling::{
@@ -159,11 +156,11 @@ fn what_no_samples_help_is_refused() {
 /// A closed chain of arcs, bent at random, through points at random distances from the origin.
 fn random_corners(random: &mut Random) -> SplitCurve {
     let n = 3 + random.below(6);
-    let radii: Vec<f64> = (0..n).map(|_| random.between(0.6, 1.0)).collect();
+    let radii: Vec<f64> = (0..n).map(|_| random.fine_between(0.6, 1.0)).collect();
     let at = |i: usize| DVec2::from_angle(TAU * (i % n) as f64 / n as f64) * radii[i % n];
     let arcs = (0..n).map(|i| {
         let (p, q) = (at(i), at(i + 1));
-        let bend = random.between(-0.15, 0.15) * (q - p).perp();
+        let bend = random.fine_between(-0.15, 0.15) * (q - p).perp();
         let third = (q - p) / 3.0;
         CubicBezier::new([p, p + third + bend, q - third + bend, q])
     });

@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{Random, arch};
+use common::arch;
 use curvecrust_curve::Curve;
-use curvecrust_geometry::{DVec2, Segment};
+use curvecrust_geometry::{DVec2, Random, Segment};
 use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust_sampling::{PlacedSamples, Placement, SamplingError};
 
@@ -37,7 +37,10 @@ fn projections_are_the_nearest_places() {
         ))
     };
     for _ in 0..400 {
-        let p = DVec2::new(random.between(-3.0, 19.0), random.between(-3.0, 5.0));
+        let p = DVec2::new(
+            random.fine_between(-3.0, 19.0),
+            random.fine_between(-3.0, 5.0),
+        );
         let found = PlacedSamples::project(&measured, &[p], 20.0).unwrap();
         let place = found.samples.placements()[0];
         let chords = (0..dense.len()).filter_map(chord);

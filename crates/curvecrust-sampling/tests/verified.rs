@@ -1,9 +1,6 @@
 //! Samplings beyond the bound: what they keep, and that local steps decide as full runs would.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-mod common;
-
-use common::fixtures;
 use curvecrust_curve::Curve;
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Segment};
 use curvecrust_medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
@@ -12,6 +9,7 @@ use curvecrust_sampling::{
     Condition, DeviationLimit, SampledCurve, Sampling, SamplingError, VerifyOptions, sample,
     sample_uniformly, sample_verified_with,
 };
+use curvecrust_testing::fixtures;
 
 fn measured(curve: &Curve) -> MeasuredCurve {
     let options = MeasureOptions {
@@ -22,8 +20,7 @@ fn measured(curve: &Curve) -> MeasuredCurve {
 }
 
 fn fixture(wanted: &str) -> MeasuredCurve {
-    let all = fixtures();
-    measured(&all.iter().find(|(name, _)| name == wanted).unwrap().1)
+    measured(&fixtures::curve(wanted))
 }
 
 fn start(measured: &MeasuredCurve) -> Sampling {

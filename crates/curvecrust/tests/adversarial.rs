@@ -8,34 +8,21 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that fails panics")]
 
-#[path = "adversarial/inputs.rs"]
-mod inputs;
-
 use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, PointSetError};
 use curvecrust::reconstruct::{
     ALGORITHMS, Keep, Reconstruction, Reconstructor, ViolationReport, hnn_crust, one_step_crust,
 };
-use inputs::{CELLS, WELL_SPREAD, line, polygon, shuffled, sorted, spiral};
+use curvecrust_testing::hard_points::{
+    HARD_POINTS, WELL_SPREAD, line, polygon, shuffled, sorted, spiral,
+};
+use curvecrust_testing::planted::consecutive_edges;
+use curvecrust_testing::strategies::point_set as set;
 
 /// The algorithms with a guarantee for curves.
 fn guaranteed() -> impl Iterator<Item = &'static dyn Reconstructor> {
     let all = ALGORITHMS.iter().copied();
     all.filter(|algorithm| !algorithm.info().guarantees.is_empty())
-}
-
-fn set(points: Vec<DVec2>) -> PointSet {
-    PointSet::merging_duplicates(points).unwrap().points
-}
-
-/// The edges between consecutive points.
-fn path(count: usize, closed: bool) -> EdgeSet {
-    let id = |i: usize| PointId::new(i % count).unwrap();
-    let steps = if closed { count } else { count - 1 };
-    EdgeSet::new(
-        count,
-        (0..steps).filter_map(|i| Edge::new(id(i), id(i + 1))),
-    )
 }
 
 /// The edges of a set whose points are those of `points` in another order.
@@ -63,13 +50,17 @@ fn lines_and_polygons_are_returned() {
                 let on_a_line = scaled(line(n));
                 assert_eq!(
                     algorithm.reconstruct(&on_a_line),
-                    path(n, false),
+                    consecutive_edges(n, false),
                     "{name} {n}"
                 );
                 // Triangles and squares are no samples of a circle that the theorems know.
                 if n > 6 {
                     let ring = scaled(polygon(n));
-                    assert_eq!(algorithm.reconstruct(&ring), path(n, true), "{name} {n}");
+                    assert_eq!(
+                        algorithm.reconstruct(&ring),
+                        consecutive_edges(n, true),
+                        "{name} {n}"
+                    );
                 }
             }
         }
@@ -79,7 +70,7 @@ fn lines_and_polygons_are_returned() {
 #[test]
 fn a_spiral_is_one_curve() {
     let points = set(spiral(5_000));
-    let truth = path(points.len(), false);
+    let truth = consecutive_edges(points.len(), false);
     assert_eq!(hnn_crust(&points), truth);
     for algorithm in guaranteed() {
         let found = algorithm.reconstruct(&points);
@@ -91,9 +82,9 @@ fn a_spiral_is_one_curve() {
 }
 
 #[test]
-fn every_cell_is_answered_in_every_order() {
-    for cell in CELLS {
-        let given = (cell.points)(1_000);
+fn all_hard_points_are_answered_in_every_order() {
+    for hard in HARD_POINTS {
+        let given = (hard.points)(1_000);
         let reversed = given.iter().rev().copied().collect();
         let orders = [
             shuffled(given.clone()),
@@ -101,7 +92,7 @@ fn every_cell_is_answered_in_every_order() {
             sorted(given.clone(), |p| p.x),
         ];
         let points = set(given);
-        assert!(points.len() > 900, "{}", cell.name);
+        assert!(points.len() > 900, "{}", hard.name);
         let others = orders.map(set);
         for algorithm in ALGORITHMS {
             let name = algorithm.info().name;
@@ -110,12 +101,12 @@ fn every_cell_is_answered_in_every_order() {
             let places = edges_by_place(&edges, &points);
             for other in &others {
                 let found = edges_by_place(&algorithm.reconstruct(other), other);
-                assert!(found == places, "{name}: {}", cell.name);
+                assert!(found == places, "{name}: {}", hard.name);
             }
             ViolationReport::new(&points, &edges).unwrap();
             let chains = Reconstruction::new(&points, edges.clone()).unwrap();
             let covered: usize = chains.chains().iter().map(|c| c.chain.edge_count()).sum();
-            assert_eq!(covered, edges.len(), "{name}: {}", cell.name);
+            assert_eq!(covered, edges.len(), "{name}: {}", hard.name);
         }
         assert!(
             one_step_crust(&points)
@@ -130,8 +121,8 @@ fn every_cell_is_answered_in_every_order() {
 /// A quadratic algorithm would need minutes for one of these.
 #[test]
 fn large_sets_are_answered() {
-    for cell in CELLS.iter().chain([&WELL_SPREAD]) {
-        let points = set((cell.points)(6_000));
+    for hard in HARD_POINTS.iter().chain([&WELL_SPREAD]) {
+        let points = set((hard.points)(6_000));
         for algorithm in ALGORITHMS {
             let edges = algorithm.reconstruct(&points);
             assert_eq!(edges.vertex_count(), points.len());
@@ -171,7 +162,7 @@ fn coordinates_beyond_exact_predicates_are_refused() {
 /// Two circles 1e-12 apart: the nearest neighbour is the point of the other circle, whatever else.
 #[test]
 fn twins_find_each_other() {
-    let circles = CELLS
+    let circles = HARD_POINTS
         .iter()
         .find(|c| c.name == "two circles 1e-12 apart")
         .unwrap();

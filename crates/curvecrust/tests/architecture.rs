@@ -5,6 +5,7 @@
     reason = "a test, its helpers included"
 )]
 
+use cargo_metadata::semver::VersionReq;
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 use std::collections::BTreeSet;
 use std::fs;
@@ -44,7 +45,7 @@ const ALL_BUT_FACADE: &[&str] = &[
 const PROGRAMS: &[&str] = &["cli", "benches", "xtask"];
 
 /// What is not published: it may use every library, and only what is not published uses it.
-const LABORATORY: &[&str] = &["lab"];
+const LABORATORY: &[&str] = &["lab", "testing"];
 
 /// Foreign crates that only these of ours may name, in whatever kind of dependency.
 const NAMED_BY: &[(&str, &[&str])] = &[
@@ -183,6 +184,19 @@ fn nothing_published_uses_the_laboratory() {
         wrong.extend(used.map(|d| format!("{} uses {d}", package.name)));
     }
     assert_none(&wrong, "the laboratory is not the product");
+}
+
+/// A dev-dependency without a version is left out of what is published.
+#[test]
+fn packages_leave_out_what_serves_tests() {
+    let metadata = workspace();
+    let mut wrong = Vec::new();
+    for package in metadata.packages.iter().filter(|p| is_published(p)) {
+        let ours = package.dependencies.iter();
+        let kept = ours.filter(|d| short(&d.name) == "testing" && d.req != VersionReq::STAR);
+        wrong.extend(kept.map(|_| package.name.to_string()));
+    }
+    assert_none(&wrong, "the test support is named with a version");
 }
 
 /// Invariant 1, of what the crates really use, whatever the table above allows.

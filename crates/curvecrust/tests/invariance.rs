@@ -3,33 +3,21 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that fails panics")]
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
 use curvecrust::DVec2;
-use curvecrust::curve::Curve;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::geometry::{PointId, PointSet};
 use curvecrust::medial_axis::{Discretisation, MeasureOptions, measure_with};
 use curvecrust::reconstruct::{ALGORITHMS, Reconstructor};
 use curvecrust::sampling::{Condition, sample};
+use curvecrust_testing::fixtures;
+use curvecrust_testing::moves::{distances_differ, mapped, permuted, relabelled};
 
 /// Samples are rounded to multiples of this, so that they can be shifted without rounding.
 const GRAIN: f64 = 1.0 / (1u64 << 30) as f64;
 
-fn files(folder: &str) -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let entries = fs::read_dir(root.join(folder)).unwrap();
-    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    paths
-}
-
 /// The fixtures as bare points, by name.
-fn fixtures() -> Vec<(String, PointSet)> {
-    let name = |path: &Path| path.file_stem().unwrap().to_string_lossy().into_owned();
+fn all_points() -> Vec<(String, PointSet)> {
     let mut found = Vec::new();
-    for path in files("curves") {
-        let curve = Curve::from_svg(&fs::read_to_string(&path).unwrap()).unwrap();
+    for (name, curve) in fixtures::curves() {
         let options = MeasureOptions {
             discretisation: Discretisation::Adaptive { gap_to_lfs: 0.05 },
             ..MeasureOptions::default()
@@ -37,18 +25,10 @@ fn fixtures() -> Vec<(String, PointSet)> {
         let measured = measure_with(&curve, &options).unwrap();
         for condition in [Condition::rho(0.9), Condition::epsilon(1.0 / 3.0)] {
             let sampling = sample(&measured, condition.unwrap()).unwrap();
-            found.push((name(&path), sampling.samples.points().to_vec()));
+            found.push((name.clone(), sampling.samples.points().to_vec()));
         }
     }
-    for path in files("points") {
-        let text = fs::read_to_string(&path).unwrap();
-        let point = |line: &str| {
-            let mut numbers = line.split_whitespace().map(|n| n.parse().unwrap());
-            Some(DVec2::new(numbers.next()?, numbers.next()?))
-        };
-        let lines = text.lines().map(|line| line.split('#').next().unwrap());
-        found.push((name(&path), lines.filter_map(point).collect()));
-    }
+    found.extend(fixtures::points());
     assert!(found.len() > 40);
     let rounded = |points: Vec<DVec2>| {
         points
@@ -70,16 +50,7 @@ fn fixtures() -> Vec<(String, PointSet)> {
 }
 
 fn moved(points: &PointSet, by: impl Fn(DVec2) -> DVec2) -> PointSet {
-    PointSet::new(points.points().iter().map(|&p| by(p)).collect()).unwrap()
-}
-
-fn distances_differ(points: &PointSet) -> bool {
-    let points = points.points();
-    let mut squares: Vec<f64> = (0..points.len())
-        .flat_map(|i| (0..i).map(move |j| points[i].distance_squared(points[j])))
-        .collect();
-    squares.sort_unstable_by(f64::total_cmp);
-    squares.windows(2).all(|pair| pair[0] < pair[1])
+    mapped(points, by).unwrap()
 }
 
 /// Compares the edges of all algorithms from both sets, the points of which correspond.
@@ -96,7 +67,7 @@ fn assert_same(name: &str, what: &str, points: &PointSet, other: &PointSet) {
 
 #[test]
 fn scale_and_place_do_not_matter() {
-    for (name, points) in fixtures() {
+    for (name, points) in all_points() {
         for exponent in [-60, 60] {
             let scaled = moved(&points, |p| p * 2f64.powi(exponent));
             assert_same(&name, "scaled", &points, &scaled);
@@ -117,7 +88,7 @@ type Turn = fn(DVec2) -> DVec2;
 #[test]
 fn quarter_turns_and_mirrors_do_not_matter_without_ties() {
     let mut without_ties = 0;
-    for (name, points) in fixtures() {
+    for (name, points) in all_points() {
         if !distances_differ(&points) {
             continue;
         }
@@ -138,7 +109,7 @@ fn quarter_turns_and_mirrors_do_not_matter_without_ties() {
 
 #[test]
 fn the_order_of_the_points_does_not_matter() {
-    for (name, points) in fixtures() {
+    for (name, points) in all_points() {
         // A multiplier that has no divisor in common with the count visits all.
         let count = points.len();
         let step = (count / 2..)
@@ -147,11 +118,9 @@ fn the_order_of_the_points_does_not_matter() {
         let order: Vec<PointId> = (0..count)
             .map(|i| PointId::new((i * step + 3) % count).unwrap())
             .collect();
-        let permuted = PointSet::new(order.iter().map(|&id| points[id]).collect()).unwrap();
+        let mixed = permuted(&points, &order);
         for algorithm in ALGORITHMS {
-            let edges = algorithm.reconstruct(&permuted);
-            let old = |e: &Edge| Edge::new(order[e.a().index()], order[e.b().index()]);
-            let renamed = EdgeSet::new(count, edges.edges().iter().filter_map(old));
+            let renamed = relabelled(&algorithm.reconstruct(&mixed), &order);
             let name = format!("{} of {name}", algorithm.info().name);
             assert!(renamed == algorithm.reconstruct(&points), "{name}");
         }
@@ -161,7 +130,7 @@ fn the_order_of_the_points_does_not_matter() {
 #[test]
 fn threads_do_not_matter() {
     let all: Vec<DVec2> = (0u32..)
-        .zip(fixtures())
+        .zip(all_points())
         .flat_map(|(i, (_, points))| {
             let by = DVec2::new(f64::from(i % 8), f64::from(i / 8)) * 1024.0;
             points.points().iter().map(|&p| p + by).collect::<Vec<_>>()

@@ -1,41 +1,19 @@
 //! The theorems of the papers on samplings of every fixture curve, each from 20 random starts.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use std::path::{Path, PathBuf};
-
 use curvecrust::curve::{BezierPath, CubicBezier, Curve};
 use curvecrust::evaluate::EdgeComparison;
-use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Segment};
+use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Random, Segment};
 use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
 use curvecrust::reconstruct::{crust, hnn_crust, least_detour, nn_crust, one_step_crust};
 use curvecrust::sampling::{Condition, SampledCurve, sample_at_dense_points, theory};
+use curvecrust_testing::fixtures;
 use rayon::prelude::*;
 
 const STARTS: u64 = 20;
 /// Dense points are at most this fraction of their lfs apart; what holds at them holds between them
 /// up to as much.
 const GAP: f64 = 0.02;
-
-fn fixtures() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/curves");
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|e| e == "svg"))
-        .collect();
-    paths.sort();
-    assert!(paths.len() >= 16);
-    paths
-}
-
-/// Bits that look random (`splitmix64`).
-fn random_bits(seed: &mut u64) -> u64 {
-    *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *seed;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
 
 /// The two parts of a cubic, by de Casteljau's construction.
 fn split(bezier: &CubicBezier, t: f64) -> [CubicBezier; 2] {
@@ -51,13 +29,13 @@ fn split(bezier: &CubicBezier, t: f64) -> [CubicBezier; 2] {
 
 /// The same curve, with each closed component starting somewhere else.
 fn restarted(curve: &Curve, seed: u64) -> Curve {
-    let mut seed = seed;
+    let mut random = Random::new(seed);
     let components = curve.components().iter().map(|component| {
         let mut segments = component.segments().to_vec();
         if component.is_closed() {
-            let first = random_bits(&mut seed) % segments.len() as u64;
+            let first = random.bits() % segments.len() as u64;
             segments.rotate_left(usize::try_from(first).unwrap());
-            let t = 0.2 + 0.6 * (random_bits(&mut seed) % 1000) as f64 / 1000.0;
+            let t = 0.2 + 0.6 * (random.bits() % 1000) as f64 / 1000.0;
             let [before, after] = split(&segments[0], t);
             segments[0] = after;
             segments.push(before);
@@ -124,22 +102,18 @@ fn valid(measured: &MeasuredCurve, condition: Condition) -> Option<SampledCurve>
 
 #[test]
 fn the_theorems_hold_on_every_sampling() {
-    let jobs: Vec<(PathBuf, u64)> = fixtures()
+    let jobs: Vec<(String, Curve, u64)> = fixtures::curves()
         .into_iter()
-        .flat_map(|path| (0..STARTS).map(move |seed| (path.clone(), seed)))
+        .flat_map(|(name, curve)| (0..STARTS).map(move |seed| (name.clone(), curve.clone(), seed)))
         .collect();
     // One test: measuring a curve takes most of the time.
-    let bursts = jobs.into_par_iter().map(|(path, seed)| {
-        let curve = Curve::from_svg(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let bursts = jobs.into_par_iter().map(|(name, curve, seed)| {
         let options = MeasureOptions {
             discretisation: Discretisation::Adaptive { gap_to_lfs: GAP },
             ..MeasureOptions::default()
         };
         let measured = measure_with(&restarted(&curve, seed), &options).unwrap();
-        let name = format!(
-            "{} from start {seed}",
-            path.file_stem().unwrap().to_string_lossy()
-        );
+        let name = format!("{name} from start {seed}");
         reconstructions_are_exact_within_their_bounds(&name, &measured);
         one_step_and_two_step_crust_agree_on_dense_samples(&name, &measured);
         an_epsilon_sample_is_a_rho_sample(&name, &measured);
@@ -197,7 +171,7 @@ fn bursts_of_samples_change_nothing(
     seed: u64,
 ) -> Option<bool> {
     let sampled = valid(measured, Condition::rho(0.9).unwrap())?;
-    let mut seed = seed;
+    let mut random = Random::new(seed);
     let (mut points, mut edges): (Vec<DVec2>, Vec<Edge>) = (Vec::new(), Vec::new());
     let mut first_of = vec![None; sampled.points().len()];
     for (from, to, dense) in intervals(measured, &sampled) {
@@ -209,7 +183,7 @@ fn bursts_of_samples_change_nothing(
         };
         let (from, to) = (id(from, &mut points), id(to, &mut points));
         let mut inner = dense[1..dense.len() - 1].to_vec();
-        match random_bits(&mut seed) % 4 {
+        match random.bits() % 4 {
             0 => inner.truncate(6),
             1 => drop(inner.drain(..inner.len().saturating_sub(6))),
             _ => inner.clear(),

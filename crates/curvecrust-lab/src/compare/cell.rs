@@ -2,11 +2,10 @@
 
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
-use super::random::Random;
 use super::scene::{Named, Part, Scene};
 use anyhow::Context;
 use curvecrust::DVec2;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use curvecrust::sampling::{Outliers, with_outliers};
 use std::collections::BTreeMap;
 use std::sync::Arc;

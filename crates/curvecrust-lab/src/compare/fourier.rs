@@ -4,11 +4,10 @@
 //! Curves that cross themselves, or come so near to it that most samples would be there, are drawn
 //! again. What is used is the chain of cubics through points of the polynomial, with its tangents.
 
-use super::random::Random;
 use anyhow::bail;
 use curvecrust::DVec2;
 use curvecrust::curve::{BezierPath, CubicBezier, Curve};
-use curvecrust::geometry::Segment;
+use curvecrust::geometry::{Random, Segment};
 use std::f64::consts::TAU;
 
 /// Cubics of a curve.

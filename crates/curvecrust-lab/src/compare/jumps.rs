@@ -6,9 +6,9 @@
 //! up to half of the gap to its neighbours, by which its distance may be larger and its local
 //! feature size smaller.
 
-use super::random::Random;
 use super::scene::Part;
 use curvecrust::DVec2;
+use curvecrust::geometry::Random;
 
 /// A bound of a sampling condition.
 #[derive(Clone, Copy, Debug)]

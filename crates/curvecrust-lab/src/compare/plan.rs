@@ -2,9 +2,9 @@
 
 use super::cell::{Fixtures, Job};
 use super::experiment::{self, Choice, Experiment, Input, Kind, Over};
-use super::manifest::{self, CurveEntry, Manifest};
 use super::scene::{self, Named, Scene};
 use anyhow::{Context, ensure};
+use curvecrust_testing::fixtures::{CurveEntry, Manifest};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -108,7 +108,7 @@ pub(super) fn chosen(options: &Options) -> anyhow::Result<Vec<Experiment>> {
 
 /// All cells, in the order of the rows.
 pub(super) fn plan(options: &Options, experiments: &[Experiment]) -> anyhow::Result<Plan> {
-    let manifest = manifest::read()?;
+    let manifest = Manifest::read()?;
     let mut jobs = Vec::new();
     for experiment in experiments {
         let experiment = Arc::new(experiment.clone());
@@ -176,7 +176,7 @@ pub(super) fn named(manifest: &Manifest, curves: &Choice) -> Vec<Named> {
             .map(|&name| Named::Authors(name.to_owned()))
             .collect();
     }
-    let found = manifest.curve.iter().filter(is_meant);
+    let found = manifest.curves.iter().filter(is_meant);
     let mut names: Vec<Named> = found
         .map(|entry| Named::Fixture(entry.name.clone()))
         .collect();

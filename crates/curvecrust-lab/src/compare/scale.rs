@@ -3,13 +3,13 @@
 use super::algorithms;
 use super::cell::Job;
 use super::memory::Before;
-use super::random::{Random, seed_of};
+use super::seed::seed_of;
 use super::trial::{self, Lines};
 use crate::compare::rows::Row;
 use anyhow::{Context, bail, ensure};
 use curvecrust::DVec2;
 use curvecrust::evaluate::Bounds;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use std::f64::consts::TAU;
 use std::process::Command;
 use std::time::Instant;

@@ -10,10 +10,9 @@
 //! exchanges of short neighbouring paths at random places, undone unless the tour became shorter
 //! (Martin, Otto, Felten 1991). Quadratic in the number of points: for some hundreds.
 
-use super::random::Random;
 use curvecrust::DVec2;
 use curvecrust::geometry::point_set::by_coordinates;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use curvecrust::reconstruct::{AlgorithmInfo, Reconstructor};
 
 /// The reference.

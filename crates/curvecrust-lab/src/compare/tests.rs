@@ -6,6 +6,7 @@ use super::plan::{chosen, named};
 use super::rows::metrics;
 use super::scene::{Named, Scene};
 use super::*;
+use curvecrust_testing::fixtures::Manifest;
 
 fn options(folder: &Path, experiments: &[&str], trials: u32) -> Options {
     Options {
@@ -138,7 +139,7 @@ fn a_known_answer_that_differs_is_named() {
 /// The authors' curves take part if they were fetched, and nothing is missed if not.
 #[test]
 fn the_authors_curves_take_part_when_they_are_there() {
-    let manifest = manifest::read().unwrap();
+    let manifest = Manifest::read().unwrap();
     let names = named(&manifest, &Choice::Kind(Kind::Authors));
     if !scene::authors_curves().is_dir() {
         eprintln!("skipped in part: fixtures/paper was not fetched");
@@ -153,4 +154,27 @@ fn the_authors_curves_take_part_when_they_are_there() {
     for name in names {
         assert!(!Scene::named(&name).unwrap().parts.is_empty(), "{name}");
     }
+}
+
+/// What the list says of local feature sizes, measured.
+#[test]
+fn local_feature_sizes_vary_as_the_manifest_says() {
+    let extremes = |name: &str| {
+        let scene = Scene::named(&Named::Fixture(name.to_owned())).unwrap();
+        let lfs = || scene.parts.iter().flat_map(|part| part.lfs.iter().copied());
+        let [least, most] = [
+            lfs().fold(f64::INFINITY, f64::min),
+            lfs().fold(0.0, f64::max),
+        ];
+        [least, most].map(|lfs| lfs / scene.reference.extent())
+    };
+    let [least, most] = extremes("nautilus");
+    println!("nautilus: lfs from {least} to {most} extents");
+    assert!(most > 1000.0 * least);
+    let [least, most] = extremes("eclipse");
+    println!("eclipse: lfs from {least} to {most} extents");
+    assert!(least < 0.01);
+    let [least, most] = extremes("spiral");
+    println!("spiral: lfs from {least} to {most} extents");
+    assert!(least < 0.03 && most < 1.1 * least);
 }

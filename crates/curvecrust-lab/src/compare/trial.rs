@@ -2,8 +2,8 @@
 
 use super::algorithms;
 use super::cell::{Fixtures, Job, Sampled};
-use super::random::seed_of;
 use super::scene::Scene;
+use super::seed::seed_of;
 use crate::compare::rows::{Row, Timing};
 use curvecrust::evaluate::{Bounds, Evaluation, Kind, Output, Truth};
 use curvecrust::geometry::EdgeSet;

@@ -3,6 +3,7 @@
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
+use curvecrust_testing::strategies::{any_points, point_set, uniform};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -11,7 +12,6 @@ use self::constants::{
     AHEAD_COSINE, CERTIFIED_COSINE, CONTINUATION_NEIGHBOURS, EVEN_RATIO, PENALTY, RUN_EDGES,
     RUN_PENALTY, SPACING_NEIGHBOURS, STRAIGHT_COSINE, TRUSTED_DETOUR, UNEVEN_RATIO,
 };
-use super::inputs::{any_points, point_set, uniform};
 use super::oracles;
 
 /// The constants of the method, not a copy of them.

@@ -6,11 +6,7 @@
     reason = "a test that fails panics"
 )]
 
-#[path = "../../../curvecrust/tests/adversarial/inputs.rs"]
-#[allow(dead_code, reason = "shared with the tests and benches of costs")]
-mod adversarial;
 mod exact;
-mod inputs;
 mod least_detour;
 mod oracles;
 
@@ -19,8 +15,10 @@ use curvecrust_reconstruct::{
     ALGORITHMS, Beta, HnnCrust, OneStepCrust, ReconstructError, Reconstruction, Reconstructor,
     ViolationReport, one_step_crust,
 };
+use curvecrust_testing::hard_points::HARD_POINTS;
+use curvecrust_testing::moves::{distances_differ, mapped, permuted, relabelled, shifted};
+use curvecrust_testing::strategies::{any_points, rounded};
 use curvecrust_voronoi::Delaunay;
-use inputs::{any_points, distances_differ, mapped, rounded, shifted};
 use proptest::prelude::*;
 
 /// The edges from the definition.
@@ -62,28 +60,18 @@ fn same_edges(points: &PointSet, moved: Option<&PointSet>) -> Result<(), TestCas
     Ok(())
 }
 
-/// The set with the points in another order: `order[new]` is the old id.
-fn permuted(points: &PointSet, order: &[PointId]) -> PointSet {
-    PointSet::new(order.iter().map(|&id| points[id]).collect()).unwrap()
-}
-
-fn relabelled(edges: &EdgeSet, order: &[PointId]) -> EdgeSet {
-    let old = |e: &Edge| Edge::new(order[e.a().index()], order[e.b().index()]);
-    EdgeSet::new(edges.vertex_count(), edges.edges().iter().filter_map(old))
-}
-
 #[test]
 fn hard_points_are_joined_as_defined() {
-    for cell in adversarial::CELLS {
+    for hard in HARD_POINTS {
         for count in [12, 23] {
             // The oracles compute with multiples of 2^-100.
-            let given = (cell.points)(count).into_iter().map(|p| rounded(p, 100));
+            let given = (hard.points)(count).into_iter().map(|p| rounded(p, 100));
             let points = PointSet::merging_duplicates(given.collect()).unwrap();
             for algorithm in ALGORITHMS {
                 let name = algorithm.info().name;
                 let found = algorithm.reconstruct(&points.points);
                 let fault = fault(name, &points.points, &found);
-                assert_eq!(fault, None, "{name}: {}", cell.name);
+                assert_eq!(fault, None, "{name}: {}", hard.name);
             }
         }
     }

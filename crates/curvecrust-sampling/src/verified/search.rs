@@ -1,8 +1,9 @@
 //! The steps that leave fewer samples, or others.
 
+use curvecrust_geometry::Random;
+
 use super::chain::{Chains, Place};
 use super::oracle::Oracle;
-use crate::random::Random;
 
 /// At so many places between two samples a new one is tried.
 const TRIES: usize = 24;
@@ -56,7 +57,7 @@ impl<'a> Search<'a> {
     pub(crate) fn shake(&mut self) {
         for (chain, at) in self.order() {
             for _ in 0..SHAKES {
-                let share = self.random.between(0.0, 1.0);
+                let share = self.random.fine_between(0.0, 1.0);
                 let Some((from, room)) = self.room(chain, at, 1) else {
                     break;
                 };
@@ -74,7 +75,7 @@ impl<'a> Search<'a> {
         let Some((from, room)) = self.room(chain, at, 2) else {
             return false;
         };
-        let shift = self.random.between(0.0, 1.0);
+        let shift = self.random.fine_between(0.0, 1.0);
         (0..TRIES).any(|i| {
             let by = 1 + portion(room, (i as f64 + shift) / TRIES as f64);
             let place = self.chains.chains[chain].component.after(from, by);
@@ -125,7 +126,7 @@ impl<'a> Search<'a> {
     fn order(&mut self) -> Vec<Place> {
         let mut order: Vec<Place> = self.chains.places().collect();
         for i in (1..order.len()).rev() {
-            let j = portion(i + 1, self.random.between(0.0, 1.0));
+            let j = portion(i + 1, self.random.fine_between(0.0, 1.0));
             order.swap(i, j);
         }
         order

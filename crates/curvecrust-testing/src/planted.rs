@@ -1,11 +1,8 @@
-//! Points with known answers: the inputs of all benchmarks.
+//! Points with known answers: the edges that a reconstruction has to find. Seeds decide the points.
 
 use std::f64::consts::TAU;
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, PointSetError};
-use glam::DVec2;
-
-use crate::random::Random;
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError, Random};
 
 /// Points sampled from closed curves, and the edges between consecutive ones.
 #[derive(Clone, Debug)]
@@ -14,6 +11,20 @@ pub struct Planted {
     pub points: PointSet,
     /// The edges between consecutive samples: what a correct reconstruction returns.
     pub edges: EdgeSet,
+}
+
+/// The edges between consecutive ones of `count` points, and if `closed` the one from the last to the
+/// first.
+#[must_use]
+pub fn consecutive_edges(count: usize, closed: bool) -> EdgeSet {
+    let id = |i: usize| PointId::new(i % count).unwrap();
+    let steps = if closed {
+        count
+    } else {
+        count.saturating_sub(1)
+    };
+    let edges = (0..steps).filter_map(|i| Edge::new(id(i), id(i + 1)));
+    EdgeSet::new(count, edges)
 }
 
 /// Points on one closed curve at least; more of them make more curves.

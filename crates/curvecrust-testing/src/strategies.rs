@@ -1,12 +1,13 @@
-//! Random, planted and nearly degenerate points, all multiples of 2^-100 so that integers can check
-//! them.
+//! Nearly degenerate and other points for proptest: collinear, cocircular, on a grid, equal but for
+//! an ulp, over many scales. All are multiples of 2^-100, so that integers can check what is
+//! computed from them.
 
 use curvecrust_geometry::{DVec2, PointSet};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// Anything from no point to 60.
-pub(crate) fn any_points() -> impl Strategy<Value = PointSet> {
+pub fn any_points() -> impl Strategy<Value = PointSet> {
     let kinds = prop_oneof![
         4 => uniform(60),
         2 => circles(),
@@ -23,12 +24,14 @@ pub(crate) fn any_points() -> impl Strategy<Value = PointSet> {
     kinds.prop_map(point_set)
 }
 
-pub(crate) fn point_set(points: Vec<DVec2>) -> PointSet {
+/// The set of some points, each of them once.
+#[must_use]
+pub fn point_set(points: Vec<DVec2>) -> PointSet {
     PointSet::merging_duplicates(points).unwrap().points
 }
 
 /// Up to `max` points in [-1, 1]^2, multiples of 2^-30.
-pub(crate) fn uniform(max: usize) -> impl Strategy<Value = Vec<DVec2>> {
+pub fn uniform(max: usize) -> impl Strategy<Value = Vec<DVec2>> {
     let unit = || (-(1i32 << 30)..=1 << 30).prop_map(|i| f64::from(i) / f64::from(1 << 30));
     vec((unit(), unit()).prop_map(DVec2::from), 0..=max)
 }
@@ -46,6 +49,7 @@ fn circles() -> impl Strategy<Value = Vec<DVec2>> {
     vec(circle, 1..=3).prop_map(|circles| circles.concat())
 }
 
+/// Points at whole numbers of steps on a line.
 fn collinear() -> impl Strategy<Value = Vec<DVec2>> {
     let small = || (-9..=9i32).prop_map(f64::from);
     (small(), small(), small(), small(), vec(0..200i32, 0..40)).prop_map(|(x, y, dx, dy, steps)| {
@@ -110,35 +114,8 @@ fn scales() -> impl Strategy<Value = Vec<DVec2>> {
 }
 
 /// To multiples of 2^-digits.
-pub(crate) fn rounded(p: DVec2, digits: i32) -> DVec2 {
+#[must_use]
+pub fn rounded(p: DVec2, digits: i32) -> DVec2 {
     let scale = 2f64.powi(digits);
     (p * scale).round() / scale
-}
-
-/// The same points through `map`; `None` if it makes two of them equal or leaves the range.
-pub(crate) fn mapped(points: &PointSet, map: impl Fn(DVec2) -> DVec2) -> Option<PointSet> {
-    PointSet::new(points.points().iter().map(|&p| map(p)).collect()).ok()
-}
-
-/// The points shifted without rounding; `None` if some coordinate would be rounded.
-pub(crate) fn shifted(points: &PointSet, by: DVec2) -> Option<PointSet> {
-    let is_exact = |x: f64, by: f64| {
-        let sum = x + by;
-        (sum - by).to_bits() == x.to_bits() && (sum - x).to_bits() == by.to_bits()
-    };
-    points
-        .points()
-        .iter()
-        .all(|p| is_exact(p.x, by.x) && is_exact(p.y, by.y))
-        .then(|| mapped(points, |p| p + by))?
-}
-
-/// Whether no two pairs of points have the same distance.
-pub(crate) fn distances_differ(points: &PointSet) -> bool {
-    let points = points.points();
-    let mut squares: Vec<f64> = (0..points.len())
-        .flat_map(|i| (0..i).map(move |j| points[i].distance_squared(points[j])))
-        .collect();
-    squares.sort_unstable_by(f64::total_cmp);
-    squares.windows(2).all(|pair| pair[0] < pair[1])
 }
