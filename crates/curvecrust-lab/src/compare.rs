@@ -8,7 +8,8 @@
 //! |---|---|
 //! | `experiment`, `plan` | what is asked, and the cells that answer it |
 //! | `cell`, `trial`, `scale`, `run` | the measuring |
-//! | [`rows`] | [`Row`]: what one algorithm made of one input, as a line of CSV |
+//! | [`rows`] | [`Row`]: what one algorithm made of one input |
+//! | [`records`] | rows and means as lines of CSV, and back |
 //! | [`cells`] | [`Cells`]: means over trials |
 //! | [`sheet`] | [`Sheet`](sheet::Sheet): what an experiment asks, and its curves against what it sweeps |
 //! | [`tables`] | Markdown and JSON |
@@ -35,6 +36,7 @@ pub mod page;
 mod plan;
 mod progress;
 pub mod published;
+pub mod records;
 pub mod rows;
 mod run;
 pub mod scale;
@@ -42,7 +44,6 @@ pub(crate) mod scene;
 mod seed;
 pub mod sheet;
 mod shortest_tour;
-mod style;
 pub mod tables;
 #[cfg(test)]
 mod tests;
@@ -124,10 +125,10 @@ pub fn run(options: &Options, stop: &AtomicBool) -> anyhow::Result<Outcome> {
         });
     }
 
-    let rows = Row::read(&text_of(&folder.join("rows.csv"))?)?;
-    let times = Timing::read(&text_of(&folder.join("times.csv"))?)?;
+    let rows = records::read(&text_of(&folder.join("rows.csv"))?)?;
+    let times = records::read(&text_of(&folder.join("times.csv"))?)?;
     let cells = Cells::of_rows(&rows);
-    write_whole(&folder.join("cells.csv"), cells.to_csv())?;
+    write_whole(&folder.join("cells.csv"), cells.table().to_csv()?)?;
     let names = experiments.iter().map(|e| e.name.clone()).collect();
     // A resumed run knows the time of its last part only.
     let seconds = (!options.resume).then(|| start.elapsed().as_secs_f64().round());

@@ -4,14 +4,13 @@
 //! written to a hundredth of a pixel, so that the same data give the same bytes everywhere. What a
 //! mark means is said by a legend below the panels, for the layers that occur.
 
-mod ink;
+mod layer;
 
+use crate::drawing::{Within, document, text};
 use curvecrust::{DVec2, geometry::Segment};
-use svg::Document;
-use svg::node::element::{Group, Rectangle, Style, Text, Title};
+use svg::node::element::Group;
 
-pub use ink::STYLE;
-use ink::{Place, draw, rounded};
+use layer::{Place, draw};
 
 /// Points joined in order; the flag joins the last with the first.
 pub type Polyline = (Vec<DVec2>, bool);
@@ -114,29 +113,31 @@ impl Figure {
                 page = page.add(panel.drawing(lowered));
                 for (k, line) in panel.caption.lines().enumerate() {
                     let at = corner + DVec2::new(WIDTH / 2.0, height + LINE * (k as f64 + 0.5));
-                    page = page.add(text(line, "caption", at));
+                    page = page.add(text("caption", at, line));
                 }
             }
             top += height + LINE * lines.unwrap_or(0) as f64 + MARGIN / 2.0;
         }
         let (legend, bottom) = self.legend_rows(width, top);
-        document(&self.title, DVec2::new(width, bottom))
-            .add(Style::new(STYLE))
-            .add(paper())
+        document(&self.title, DVec2::new(width, bottom), Within::File)
             .add(page)
             .add(legend)
             .to_string()
             + "\n"
     }
 
-    /// The drawings of the panels alone, one document each, for pages that set the captions and the
-    /// [`STYLE`] themselves.
+    /// The drawings of the panels alone, one document each, for pages that set the captions
+    /// themselves.
     #[must_use]
     pub fn drawings(&self) -> Vec<String> {
         let drawing = |panel: &Panel| {
-            document(&panel.caption, DVec2::new(WIDTH, panel.height()))
-                .add(panel.drawing(DVec2::ZERO))
-                .to_string()
+            document(
+                &panel.caption,
+                DVec2::new(WIDTH, panel.height()),
+                Within::Page,
+            )
+            .add(panel.drawing(DVec2::ZERO))
+            .to_string()
         };
         self.panels.iter().map(drawing).collect()
     }
@@ -145,7 +146,8 @@ impl Figure {
     #[must_use]
     pub fn legend(&self) -> Vec<(String, &'static str)> {
         let mark = |layer: &Layer| {
-            let document = document("", SWATCH).add(draw(&layer.swatch(), SWATCH_PLACE));
+            let document =
+                document("", SWATCH, Within::Page).add(draw(&layer.swatch(), SWATCH_PLACE));
             (document.to_string(), layer.name())
         };
         self.kinds().into_iter().map(mark).collect()
@@ -181,7 +183,7 @@ impl Figure {
             group =
                 group
                     .add(draw(&layer.swatch(), place))
-                    .add(text(layer.name(), "legend", beside));
+                    .add(text("legend", beside, layer.name()));
             at.x += advance;
         }
         (group, at.y + LINE + MARGIN / 2.0)
@@ -241,29 +243,6 @@ impl Panel {
             }
         })
     }
-}
-
-fn document(title: &str, size: DVec2) -> Document {
-    let size = (rounded(size.x), rounded(size.y));
-    let document = Document::new()
-        .set("viewBox", (0, 0, size.0, size.1))
-        .set("width", size.0)
-        .set("height", size.1);
-    if title.is_empty() {
-        document.set("aria-hidden", "true")
-    } else {
-        document.set("role", "img").add(Title::new(title))
-    }
-}
-
-fn paper() -> Rectangle {
-    let paper = Rectangle::new().set("class", "paper");
-    paper.set("width", "100%").set("height", "100%")
-}
-
-fn text(line: &str, class: &str, at: DVec2) -> Text {
-    let text = Text::new(line).set("class", class);
-    text.set("x", rounded(at.x)).set("y", rounded(at.y))
 }
 
 #[cfg(test)]

@@ -7,16 +7,20 @@
 //! | [`paper`] | the paper's tables and figures, measured and drawn |
 //! | [`compare`] | comparisons of algorithms: experiments, rows, means, tables, plots, a page |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
+//! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
 
 pub mod compare;
 pub mod docs;
+pub mod drawing;
 pub mod figure;
 mod method;
+mod page;
 pub mod paper;
 mod png;
 mod root;
 mod said;
+pub mod table;
 mod whole;
 
 pub use root::root;

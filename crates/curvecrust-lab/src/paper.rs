@@ -8,7 +8,7 @@
 //! | [`rows`] | what these rows hold |
 //! | [`published`] | the numbers that the paper prints in its Tables 1 to 3 |
 //! | [`agreement`] | whether measured rows agree with those |
-//! | [`render`] | tables as Markdown, CSV and JSON |
+//! | [`tables`] | tables of the rows, as Markdown, CSV and JSON |
 //! | [`figures`] | Figures 1, 3, 4, 8, 9, 10 and 11 |
 //! | [`page`] | tables and figures as one page |
 
@@ -19,8 +19,8 @@ pub mod measure;
 pub(crate) mod models;
 pub mod page;
 pub mod published;
-pub mod render;
 pub mod rows;
+pub mod tables;
 #[cfg(test)]
 mod tests;
 
@@ -80,13 +80,16 @@ pub fn reproduce(options: &Options) -> anyhow::Result<Reproduction> {
         ..measure::tables_2_and_3(&models, runs, [shows(2), shows(3)])?
     };
 
-    let markdown = render::markdown(&report);
-    let json = render::json(&report)?;
+    let markdown = tables::markdown(&report);
+    let json = tables::json(&report)?;
     let folder = root().join("target").join("paper");
     std::fs::create_dir_all(&folder)
         .with_context(|| format!("cannot make {}", folder.display()))?;
     write_whole(&folder.join("tables.md"), &markdown)?;
-    write_whole(&folder.join("tables.csv"), &render::csv(&report)?)?;
+    write_whole(
+        &folder.join("tables.csv"),
+        &tables::numbers(&report).to_csv()?,
+    )?;
     write_whole(&folder.join("tables.json"), &json)?;
     Ok(Reproduction {
         folder,

@@ -1,9 +1,10 @@
 //! Means over the trials of a cell: one algorithm on one input at one value of the sweep.
 
 use std::collections::HashMap;
-use std::fmt::Write;
 
-use crate::compare::rows::{self, Row, RowError, metrics, quoted, six_digits};
+use crate::compare::records::{self, Line, Record};
+use crate::compare::rows::{Row, metrics};
+use crate::table::{Field, Table};
 
 /// The cells of a comparison, in the order of their first rows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -125,74 +126,19 @@ impl Cells {
         self.cells.extend_from_slice(&others.cells);
     }
 
-    /// The cells as CSV: for each metric its mean and, as `name.sd`, its standard deviation.
+    /// The cells as a table.
     #[must_use]
-    pub fn to_csv(&self) -> String {
-        let mut text = Self::header();
-        for cell in &self.cells {
-            let _ = write!(
-                text,
-                "{},{},{},{},{},{},{}",
-                quoted(&cell.experiment),
-                quoted(&cell.series),
-                cell.x,
-                quoted(&cell.algorithm),
-                cell.trials,
-                cell.errors,
-                six_digits(cell.points)
-            );
-            for mean in &cell.means {
-                let _ = if mean.count == 0 {
-                    write!(text, ",,,")
-                } else {
-                    let (m, sd) = (six_digits(mean.mean), six_digits(mean.variance.sqrt()));
-                    write!(text, ",{},{m},{sd}", mean.count)
-                };
-            }
-            text += "\n";
-        }
-        text
+    pub fn table(&self) -> Table {
+        records::table(&self.cells)
     }
 
-    /// Reads what [`to_csv`](Self::to_csv) wrote.
+    /// Reads what [`table`](Self::table) gave as CSV.
     ///
     /// # Errors
     /// If the columns are others, or a field cannot be read: with its line.
-    pub fn read(text: &str) -> Result<Self, RowError> {
-        let header = Self::header();
-        let cells = rows::records(text, &header)?
-            .iter()
-            .map(|fields| {
-                let mean = |i: usize| -> Result<Mean, RowError> {
-                    let column = BEFORE.len() + 3 * i;
-                    let Some(mean) = fields.optional(column + 1)? else {
-                        return Ok(Mean::default());
-                    };
-                    let deviation: f64 = fields.parse(column + 2)?;
-                    Ok(Mean {
-                        count: fields.parse(column)?,
-                        mean,
-                        variance: deviation * deviation,
-                    })
-                };
-                Ok(Cell {
-                    experiment: fields.text(0),
-                    series: fields.text(1),
-                    x: fields.parse(2)?,
-                    algorithm: fields.text(3),
-                    trials: fields.parse(4)?,
-                    errors: fields.parse(5)?,
-                    points: fields.parse(6)?,
-                    means: (0..metrics().count()).map(mean).collect::<Result<_, _>>()?,
-                })
-            })
-            .collect::<Result<_, RowError>>()?;
+    pub fn read(text: &str) -> anyhow::Result<Self> {
+        let cells = records::read(text)?;
         Ok(Self { cells })
-    }
-
-    fn header() -> String {
-        let means = metrics().map(|m| format!(",{0}.n,{0},{0}.sd", m.name));
-        BEFORE.join(",") + &means.collect::<String>() + "\n"
     }
 }
 
@@ -205,6 +151,66 @@ const BEFORE: [&str; 7] = [
     "errors",
     "points",
 ];
+
+/// For each metric the number of trials that have it, as `name.n`, its mean and, as `name.sd`, its
+/// standard deviation.
+impl Record for Cell {
+    fn columns() -> Vec<String> {
+        let means = metrics().map(|m| m.name);
+        let means = means.flat_map(|name| [".n", "", ".sd"].map(|end| format!("{name}{end}")));
+        BEFORE.into_iter().map(str::to_owned).chain(means).collect()
+    }
+
+    fn fields(&self) -> Vec<Field> {
+        let mut fields = vec![
+            self.experiment.as_str().into(),
+            self.series.as_str().into(),
+            self.x.into(),
+            self.algorithm.as_str().into(),
+            self.trials.into(),
+            self.errors.into(),
+            Field::rounded(self.points, 6),
+        ];
+        for mean in &self.means {
+            fields.extend(if mean.count == 0 {
+                [Field::Missing, Field::Missing, Field::Missing]
+            } else {
+                let deviation = mean.variance.sqrt();
+                [
+                    mean.count.into(),
+                    Field::rounded(mean.mean, 6),
+                    Field::rounded(deviation, 6),
+                ]
+            });
+        }
+        fields
+    }
+
+    fn of_line(line: &Line<'_>) -> anyhow::Result<Self> {
+        let mean = |i: usize| -> anyhow::Result<Mean> {
+            let column = BEFORE.len() + 3 * i;
+            let Some(mean) = line.optional(column + 1)? else {
+                return Ok(Mean::default());
+            };
+            let deviation: f64 = line.parse(column + 2)?;
+            Ok(Mean {
+                count: line.parse(column)?,
+                mean,
+                variance: deviation * deviation,
+            })
+        };
+        Ok(Self {
+            experiment: line.text(0).to_owned(),
+            series: line.text(1).to_owned(),
+            x: line.parse(2)?,
+            algorithm: line.text(3).to_owned(),
+            trials: line.parse(4)?,
+            errors: line.parse(5)?,
+            points: line.parse(6)?,
+            means: (0..metrics().count()).map(mean).collect::<Result<_, _>>()?,
+        })
+    }
+}
 
 impl Cell {
     fn empty(row: &Row) -> Self {

@@ -1,12 +1,12 @@
 //! Line charts: one line per algorithm with a band of confidence, each told apart by colour, dashes
 //! and marker, and named at its end.
 
-use std::fmt::Write;
-
 use crate::compare::axis::{Axis, Scale};
-use crate::compare::style::{LINES, escaped, open, text_width};
-
-pub use crate::compare::style::Paper;
+use crate::drawing::{Within, document, path, polyline, rounded, text, text_width};
+use curvecrust::DVec2;
+use svg::node::element::path::Data;
+use svg::node::element::{Path, Text};
+use svg::{Document, Node};
 
 /// Lines over an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +52,7 @@ pub enum Width {
     Narrow,
 }
 
-/// Where the values are drawn.
+/// Where the values are drawn: the corners in pixels, and the ranges between them.
 struct Frame {
     left: f64,
     right: f64,
@@ -62,6 +62,8 @@ struct Frame {
     y: [f64; 2],
 }
 
+/// Lines that can be told apart by their looks.
+const LINES: usize = 8;
 const TOP: f64 = 62.0;
 const LEGEND_LINE: f64 = 20.0;
 const HEAD_LINE: f64 = 20.0;
@@ -75,7 +77,7 @@ const ALL_APART: f64 = 11.0;
 impl Chart {
     /// The chart as SVG.
     #[must_use]
-    pub fn to_svg(&self, width: Width, paper: Paper) -> String {
+    pub fn to_svg(&self, width: Width, within: Within) -> String {
         let names = self.lines.iter().map(|line| text_width(&line.name));
         let named = names.fold(0.0, f64::max);
         let (total, beside, plot) = match width {
@@ -98,11 +100,11 @@ impl Chart {
             x: self.x.range(self.marks().map(|m| [m.x, m.x])),
             y: self.y.range(self.marks().map(|m| m.band)),
         };
-        let height = bottom + 58.0 + rows * LEGEND_LINE;
-        let mut svg = open(&self.title, total, height, paper);
+        let size = DVec2::new(total, bottom + 58.0 + rows * LEGEND_LINE);
+        let mut svg = document(&self.title, size, within).set("class", "plot");
         for (i, line) in heading.iter().enumerate() {
-            let (y, line) = (22.0 + HEAD_LINE * i as f64, escaped(line));
-            let _ = writeln!(svg, "<text class=\"head\" x=\"12\" y=\"{y}\">{line}</text>");
+            let at = DVec2::new(12.0, 22.0 + HEAD_LINE * i as f64);
+            svg.append(text("head", at, line));
         }
         self.draw_axes(&mut svg, &frame);
         let middle = (self.lines.len() as f64 - 1.0) / 2.0;
@@ -120,14 +122,14 @@ impl Chart {
             Width::Wide => self.name_ends(&mut svg, &frame),
             Width::Narrow => self.name_below(&mut svg, bottom + 64.0, named + 44.0, columns),
         }
-        svg + "</svg>\n"
+        svg.to_string() + "\n"
     }
 
     fn marks(&self) -> impl Iterator<Item = &Mark> {
         self.lines.iter().flat_map(|line| &line.marks)
     }
 
-    fn draw_axes(&self, svg: &mut String, frame: &Frame) {
+    fn draw_axes(&self, svg: &mut Document, frame: &Frame) {
         let Frame {
             left,
             right,
@@ -135,151 +137,105 @@ impl Chart {
             bottom,
             ..
         } = *frame;
-        let label = escaped(&self.y.label);
-        let _ = writeln!(
-            svg,
-            "<text class=\"faint\" x=\"12\" y=\"{}\">{label}</text>",
-            top - 18.0
-        );
+        let anchored = |anchor: &str, class: &str, x: f64, y: f64, words: &str| -> Text {
+            text(class, DVec2::new(x, y), words).set("text-anchor", anchor)
+        };
+        svg.append(text("faint", DVec2::new(12.0, top - 18.0), &self.y.label));
         for value in self.y.ticks(frame.y, 6.0) {
-            let y = px(self.y.place(value, frame.y, [bottom, top]));
-            let _ = writeln!(
-                svg,
-                "<path class=\"grid\" d=\"M{left} {y}H{right}\"/>\
-                 <text text-anchor=\"end\" x=\"{}\" y=\"{}\">{}</text>",
-                left - 8.0,
-                px(y + 4.5),
-                self.y.written(value)
-            );
+            let y = rounded(self.y.place(value, frame.y, [bottom, top]));
+            svg.append(path("grid", format!("M{left} {y}H{right}")));
+            let written = self.y.written(value);
+            svg.append(anchored("end", "tick", left - 8.0, y + 4.5, &written));
         }
         let wanted = (right - left) / 55.0;
         for value in self.x.ticks(frame.x, wanted) {
-            let x = px(self.x.place(value, frame.x, [left, right]));
-            let _ = writeln!(
-                svg,
-                "<path class=\"axis\" d=\"M{x} {bottom}v5\"/>\
-                 <text text-anchor=\"middle\" x=\"{x}\" y=\"{}\">{}</text>",
-                bottom + TICK_LABEL,
-                self.x.written(value)
-            );
+            let x = rounded(self.x.place(value, frame.x, [left, right]));
+            svg.append(path("axis", format!("M{x} {bottom}v5")));
+            let written = self.x.written(value);
+            svg.append(anchored("middle", "tick", x, bottom + TICK_LABEL, &written));
         }
-        let _ = writeln!(
-            svg,
-            "<path class=\"axis\" d=\"M{left} {bottom}H{right}\"/>\
-             <text class=\"faint\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>",
-            px(f64::midpoint(left, right)),
-            bottom + TICK_LABEL + 21.0,
-            escaped(&self.x.label)
-        );
+        svg.append(path("axis", format!("M{left} {bottom}H{right}")));
+        let (x, y) = (f64::midpoint(left, right), bottom + TICK_LABEL + 21.0);
+        svg.append(anchored("middle", "faint", x, y, &self.x.label));
     }
 
-    fn place(&self, frame: &Frame, x: f64, y: f64) -> (f64, f64) {
+    fn place(&self, frame: &Frame, x: f64, y: f64) -> DVec2 {
         let x = self.x.place(x, frame.x, [frame.left, frame.right]);
         let y = self.y.place(y, frame.y, [frame.bottom, frame.top]);
-        (px(x), px(y))
+        DVec2::new(rounded(x), rounded(y))
     }
 
-    fn draw_line(&self, svg: &mut String, frame: &Frame, line: &Line, apart: f64) {
+    fn draw_line(&self, svg: &mut Document, frame: &Frame, line: &Line, apart: f64) {
         // Across the line where it is steep too: to the left of one that falls, to the right of one that
         // rises.
         let falls = match (line.marks.first(), line.marks.last()) {
             (Some(first), Some(last)) => first.y > last.y,
             _ => false,
         };
-        let aside = if falls { -apart } else { apart };
-        let place = |x: f64, y: f64| {
-            let (x, y) = self.place(frame, x, y);
-            (px(x + aside), px(y + apart))
-        };
+        let aside = DVec2::new(if falls { -apart } else { apart }, apart);
+        let place = |(x, y): (f64, f64)| self.place(frame, x, y) + aside;
         let look = line.look % LINES;
-        let path = |ends: &mut dyn Iterator<Item = (f64, f64)>| {
-            let mut d = String::new();
-            for (i, (x, y)) in ends.enumerate() {
-                let (x, y) = place(x, y);
-                let _ = write!(d, "{}{x} {y}", if i == 0 { "M" } else { "L" });
-            }
-            d
-        };
         let upper = line.marks.iter().map(|m| (m.x, m.band[1]));
         let lower = line.marks.iter().rev().map(|m| (m.x, m.band[0]));
-        let band = path(&mut upper.chain(lower));
-        let middle = path(&mut line.marks.iter().map(|m| (m.x, m.y)));
-        let _ = writeln!(
-            svg,
-            "<path class=\"b{look}\" d=\"{band}Z\"/><path class=\"l{look}\" d=\"{middle}\"/>"
-        );
-        for mark in &line.marks {
-            let (x, y) = place(mark.x, mark.y);
-            svg.push_str(&marker(look, x, y));
-        }
-        svg.push('\n');
+        let band = polyline(Data::new(), upper.chain(lower).map(place), true);
+        svg.append(path(&format!("band fill{look}"), band));
+        let means = line.marks.iter().map(|m| place((m.x, m.y)));
+        let through = polyline(Data::new(), means.clone(), false);
+        svg.append(path(&format!("line line{look}"), through));
+        means.for_each(|at| svg.append(marker(look, at)));
     }
 
     /// Names at the ends of the lines, moved apart where these are close.
-    fn name_ends(&self, svg: &mut String, frame: &Frame) {
+    fn name_ends(&self, svg: &mut Document, frame: &Frame) {
         let last = |line: &Line| line.marks.last().map(|m| self.place(frame, m.x, m.y));
-        let mut ends: Vec<(&Line, (f64, f64))> = self
+        let mut ends: Vec<(&Line, DVec2)> = self
             .lines
             .iter()
             .filter_map(|l| Some((l, last(l)?)))
             .collect();
-        ends.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
-        let wanted: Vec<f64> = ends.iter().map(|end| end.1.1).collect();
+        ends.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
+        let wanted: Vec<f64> = ends.iter().map(|end| end.1.y).collect();
         let placed = spread(&wanted, 17.0, frame.top, frame.bottom);
-        for ((line, (x, y)), at) in ends.iter().zip(placed) {
-            let (from, to) = (x + 6.0, frame.right + 16.0);
-            let at = px(at);
-            let _ = writeln!(
-                svg,
-                "<path class=\"leader\" d=\"M{} {y}L{} {at}\"/>\
-                 <text class=\"t{}\" x=\"{}\" y=\"{}\">{}</text>",
-                px(from),
-                px(to),
-                line.look % LINES,
-                px(to + 4.0),
-                px(at + 4.5),
-                escaped(&line.name)
-            );
+        for ((line, end), at) in ends.iter().zip(placed) {
+            let from = DVec2::new(end.x + 6.0, end.y);
+            let to = DVec2::new(frame.right + 16.0, at);
+            svg.append(path("leader", polyline(Data::new(), [from, to], false)));
+            let class = format!("fill{}", line.look % LINES);
+            svg.append(text(&class, to + DVec2::new(4.0, 4.5), &line.name));
         }
     }
 
-    fn name_below(&self, svg: &mut String, top: f64, step: f64, columns: f64) {
+    fn name_below(&self, svg: &mut Document, top: f64, step: f64, columns: f64) {
         for (i, line) in self.lines.iter().enumerate() {
             let (column, row) = (i as f64 % columns, (i as f64 / columns).floor());
-            let (x, y) = (px(12.0 + column * step), px(top + row * LEGEND_LINE));
-            let look = line.look % LINES;
-            let _ = writeln!(
-                svg,
-                "<path class=\"l{look}\" d=\"M{x} {y}h28\"/>{}<text x=\"{}\" y=\"{}\">{}</text>",
-                marker(look, x + 14.0, y),
-                x + 34.0,
-                px(y + 4.5),
-                escaped(&line.name)
+            let (x, y) = (
+                rounded(12.0 + column * step),
+                rounded(top + row * LEGEND_LINE),
             );
+            let look = line.look % LINES;
+            let class = format!("line line{look}");
+            svg.append(path(&class, format!("M{x} {y}h28")));
+            svg.append(marker(look, DVec2::new(x + 14.0, y)));
+            svg.append(text("name", DVec2::new(x + 34.0, y + 4.5), &line.name));
         }
     }
 }
 
 /// A marker around a point; each look has its own.
-fn marker(look: usize, x: f64, y: f64) -> String {
-    let d = match look {
-        0 => format!(
-            "M{} {y}a4.2 4.2 0 1 0 8.4 0a4.2 4.2 0 1 0 -8.4 0Z",
-            px(x - 4.2)
-        ),
-        1 => format!("M{} {}h7v7h-7Z", px(x - 3.5), px(y - 3.5)),
-        2 => format!("M{x} {}l4.6 8h-9.2Z", px(y - 4.8)),
-        3 => format!("M{x} {}l5 5l-5 5l-5 -5Z", px(y - 5.0)),
-        4 => format!("M{x} {}l4.6 -8h-9.2Z", px(y + 4.8)),
-        5 => format!(
-            "M{} {}h3v3h3v3h-3v3h-3v-3h-3v-3h3Z",
-            px(x - 1.5),
-            px(y - 4.5)
-        ),
-        6 => format!("M{} {}h10v4h-10Z", px(x - 5.0), px(y - 2.0)),
-        _ => format!("M{} {}h4v10h-4Z", px(x - 2.0), px(y - 5.0)),
+fn marker(look: usize, at: DVec2) -> Path {
+    let (aside, shape) = match look {
+        0 => ((-4.2, 0.0), "a4.2 4.2 0 1 0 8.4 0a4.2 4.2 0 1 0 -8.4 0Z"),
+        1 => ((-3.5, -3.5), "h7v7h-7Z"),
+        2 => ((0.0, -4.8), "l4.6 8h-9.2Z"),
+        3 => ((0.0, -5.0), "l5 5l-5 5l-5 -5Z"),
+        4 => ((0.0, 4.8), "l4.6 -8h-9.2Z"),
+        5 => ((-1.5, -4.5), "h3v3h3v3h-3v3h-3v-3h-3v-3h3Z"),
+        6 => ((-5.0, -2.0), "h10v4h-10Z"),
+        _ => ((-2.0, -5.0), "h4v10h-4Z"),
     };
-    format!("<path class=\"m{look}\" d=\"{d}\"/>")
+    let start = at + DVec2::from(aside);
+    let data = format!("M{} {}{shape}", rounded(start.x), rounded(start.y));
+    path(&format!("marker fill{look}"), data)
 }
 
 /// Ascending places at least `gap` apart within the ends, near to the wanted ones.
@@ -311,11 +267,6 @@ fn wrapped(text: &str, most: f64) -> Vec<String> {
         }
     }
     lines
-}
-
-/// To a hundredth of a pixel.
-fn px(value: f64) -> f64 {
-    (value * 100.0).round() / 100.0 + 0.0
 }
 
 #[cfg(test)]

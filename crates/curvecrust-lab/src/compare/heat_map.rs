@@ -1,10 +1,11 @@
 //! Algorithms against experiments: the share of trials with exactly the true edges.
 
-use std::fmt::Write;
-
-use crate::compare::chart::{Paper, Width};
+use crate::compare::chart::Width;
 use crate::compare::sheet::{Panel, Sheet};
-use crate::compare::style::{escaped, open, text_width};
+use crate::drawing::{Within, document, rectangle, text, text_width};
+use crate::table::percent;
+use curvecrust::DVec2;
+use svg::Node;
 
 /// A table of shares, as plots and tables show it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -56,7 +57,7 @@ impl HeatMap {
 
     /// The table as SVG, one line per experiment: it stays narrow however many there are.
     #[must_use]
-    pub fn to_svg(&self, width: Width, paper: Paper) -> String {
+    pub fn to_svg(&self, width: Width, within: Within) -> String {
         let widest = |names: &mut dyn Iterator<Item = &String>| {
             names.map(|name| text_width(name)).fold(0.0, f64::max)
         };
@@ -76,35 +77,31 @@ impl HeatMap {
         };
         let cells = left + wide * self.rows.len() as f64 + slanted.max(20.0);
         let all = cells.max(24.0 + 1.25 * text_width(title));
-        let written = |share| match width {
-            Width::Wide => percent(share),
-            Width::Narrow => percent(share).replace(" %", ""),
+        let written = |share: Option<f64>| {
+            let share = share.map_or("–".to_owned(), percent);
+            match width {
+                Width::Wide => share,
+                Width::Narrow => share.replace(" %", ""),
+            }
         };
-        let mut svg = open(title, all.ceil(), height.ceil(), paper);
-        let _ = writeln!(svg, "<text class=\"head\" x=\"12\" y=\"22\">{title}</text>");
+        let size = DVec2::new(all.ceil(), height.ceil());
+        let mut svg = document(title, size, within).set("class", "plot");
+        svg.append(text("head", DVec2::new(12.0, 22.0), title));
         for (i, (algorithm, shares)) in self.rows.iter().enumerate() {
             let x = left + wide * i as f64;
             let (tx, ty) = ((x + wide / 2.0 - 4.0).round(), (top - 8.0).round());
-            let _ = writeln!(
-                svg,
-                "<text transform=\"translate({tx} {ty}) rotate(-45)\">{}</text>",
-                escaped(algorithm)
-            );
-            for (j, share) in shares.iter().enumerate() {
-                let y = top + high * j as f64 + name_line;
-                let _ = writeln!(
-                    svg,
-                    "<rect class=\"b1\" style=\"fill-opacity:{:.2}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
-                     <text text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>",
-                    0.04 + 0.5 * share.unwrap_or(0.0),
-                    (x + 1.0).round(),
-                    (y + 1.0).round(),
-                    wide - 2.0,
-                    cell - 2.0,
-                    (x + wide / 2.0).round(),
-                    (y + cell / 2.0 + 4.5).round(),
-                    written(*share)
-                );
+            let turned = format!("translate({tx} {ty}) rotate(-45)");
+            let name = text("name", DVec2::ZERO, algorithm);
+            svg.append(name.set("transform", turned));
+            for (j, &share) in shares.iter().enumerate() {
+                let corner = DVec2::new(x, top + high * j as f64 + name_line);
+                let middle = corner + DVec2::new(wide, cell) / 2.0;
+                let square = DVec2::new(wide - 2.0, cell - 2.0);
+                let square = rectangle("band fill1", (corner + 1.0).round(), square);
+                let opacity = 0.04 + 0.5 * share.unwrap_or(0.0);
+                svg.append(square.set("style", format!("fill-opacity:{opacity:.2}")));
+                let at = (middle + DVec2::new(0.0, 4.5)).round();
+                svg.append(text("value", at, &written(share)).set("text-anchor", "middle"));
             }
         }
         for (j, name) in self.columns.iter().enumerate() {
@@ -113,20 +110,8 @@ impl HeatMap {
                 Width::Narrow => name_line - 5.0,
             };
             let y = (top + high * j as f64 + line).round();
-            let _ = writeln!(svg, "<text x=\"12\" y=\"{y}\">{}</text>", escaped(name));
+            svg.append(text("name", DVec2::new(12.0, y), name));
         }
-        svg + "</svg>\n"
-    }
-}
-
-/// A share in per cent; neither 100 % nor 0 % is said of anything else.
-pub(crate) fn percent(share: Option<f64>) -> String {
-    match share {
-        None => "–".to_owned(),
-        Some(share) if share >= 1.0 => "100 %".to_owned(),
-        Some(share) if share > 0.0 && !(0.005..0.995).contains(&share) => {
-            format!("{:.1} %", (100.0 * share).clamp(0.1, 99.9))
-        }
-        Some(share) => format!("{:.0} %", 100.0 * share),
+        svg.to_string() + "\n"
     }
 }

@@ -2,6 +2,7 @@
 //! the tables, plots and page made of them, which `cargo xtask docs --check` holds to these.
 
 use super::experiment;
+use super::records;
 use super::write;
 use crate::compare::cells::Cells;
 use crate::compare::rows::Timing;
@@ -131,9 +132,9 @@ pub(super) fn publish(run: Run, cells: &Cells, times: &[Timing]) -> anyhow::Resu
     runs.run.retain(|run| !run.experiments.is_empty());
     runs.run.push(run);
     write_whole(&folder.join("run.toml"), toml::to_string(&runs)?)?;
-    write_whole(&folder.join("cells.csv"), all_cells.to_csv())?;
-    let times: String = all_times.iter().map(Timing::to_line).collect();
-    write_whole(&folder.join("times.csv"), Timing::header() + &times)?;
+    write_whole(&folder.join("cells.csv"), all_cells.table().to_csv()?)?;
+    let times = records::table(&all_times).to_csv()?;
+    write_whole(&folder.join("times.csv"), times)?;
     for (name, text) in made()? {
         write_whole(&root().join(name), text)?;
     }
@@ -148,7 +149,7 @@ fn read(folder: &Path) -> anyhow::Result<(Runs, Cells, Vec<Timing>)> {
     Ok((
         toml::from_str(&text("run.toml")?)?,
         Cells::read(&text("cells.csv")?)?,
-        Timing::read(&text("times.csv")?)?,
+        records::read(&text("times.csv")?)?,
     ))
 }
 

@@ -1,7 +1,9 @@
 //! What experiments write: one row per trial and algorithm.
 
 use curvecrust::evaluate::{Bounds, Evaluation, METRICS, Metric, Precision};
-use thiserror::Error;
+
+use crate::compare::records::{Line, Record};
+use crate::table::Field;
 
 /// What one algorithm made of one input.
 ///
@@ -51,33 +53,6 @@ pub struct Timing {
     pub memory: Option<u64>,
 }
 
-/// Why a file does not hold rows.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum RowError {
-    /// It is no CSV.
-    #[error("the rows are no CSV")]
-    Csv(#[from] csv::Error),
-    /// The columns are others.
-    #[error("the columns are {found:?}, not {wanted:?}: the file is of another version")]
-    Columns {
-        /// The header of the file.
-        found: String,
-        /// The header it should have.
-        wanted: String,
-    },
-    /// A field cannot be read.
-    #[error("line {line}, column {column}: {value:?} cannot be read")]
-    Field {
-        /// The line in the file, from 1.
-        line: u64,
-        /// The name of the column.
-        column: String,
-        /// What is there.
-        value: String,
-    },
-}
-
 /// The metrics of a row: all but those by a clock.
 pub fn metrics() -> impl Iterator<Item = &'static Metric> {
     METRICS.iter().filter(|m| m.precision != Precision::Timed)
@@ -92,12 +67,19 @@ const BEFORE: [&str; 7] = [
     "algorithm",
     "points",
 ];
-const AFTER: [&str; 2] = ["error", "version"];
 
 impl Row {
-    /// The names of the columns: a bounded metric has two, `name.lower` and `name.upper`.
+    /// The values of an evaluation.
     #[must_use]
-    pub fn header() -> String {
+    pub fn values_of(evaluation: &Evaluation) -> Vec<Option<Bounds>> {
+        metrics().map(|metric| metric.of(evaluation)).collect()
+    }
+}
+
+/// A bounded metric has two columns, `name.lower` and `name.upper`; numbers have six significant
+/// digits.
+impl Record for Row {
+    fn columns() -> Vec<String> {
         let mut columns: Vec<String> = BEFORE.map(str::to_owned).to_vec();
         for metric in metrics() {
             if metric.precision == Precision::Bounded {
@@ -107,200 +89,106 @@ impl Row {
                 columns.push(metric.name.to_owned());
             }
         }
-        columns.extend(AFTER.map(str::to_owned));
-        columns.join(",") + "\n"
+        columns.extend(["error", "version"].map(str::to_owned));
+        columns
     }
 
-    /// The values of an evaluation.
-    #[must_use]
-    pub fn values_of(evaluation: &Evaluation) -> Vec<Option<Bounds>> {
-        metrics().map(|metric| metric.of(evaluation)).collect()
-    }
-
-    /// The row as a line of CSV, with six significant digits.
-    #[must_use]
-    pub fn to_line(&self) -> String {
+    fn fields(&self) -> Vec<Field> {
         let mut fields = vec![
-            quoted(&self.experiment),
-            quoted(&self.series),
-            self.x.to_string(),
-            self.trial.to_string(),
-            self.seed.to_string(),
-            quoted(&self.algorithm),
-            self.points.to_string(),
+            self.experiment.as_str().into(),
+            self.series.as_str().into(),
+            self.x.into(),
+            Field::Count(self.trial.into()),
+            Field::Count(self.seed),
+            self.algorithm.as_str().into(),
+            self.points.into(),
         ];
         for (i, metric) in metrics().enumerate() {
             let value = self.values.get(i).copied().flatten();
-            fields.push(value.map_or(String::new(), |v| six_digits(v.lower)));
+            let rounded = |of: fn(Bounds) -> f64| {
+                value.map_or(Field::Missing, |bounds| Field::rounded(of(bounds), 6))
+            };
+            fields.push(rounded(|bounds| bounds.lower));
             if metric.precision == Precision::Bounded {
-                fields.push(value.map_or(String::new(), |v| six_digits(v.upper)));
+                fields.push(rounded(|bounds| bounds.upper));
             }
         }
-        fields.push(quoted(self.error.as_deref().unwrap_or_default()));
-        fields.push(quoted(&self.version));
-        fields.join(",") + "\n"
+        fields.push(self.error.as_deref().unwrap_or_default().into());
+        fields.push(self.version.as_str().into());
+        fields
     }
 
-    /// Reads a file of rows.
-    ///
-    /// # Errors
-    /// If the columns are others, or a field cannot be read: with its line.
-    pub fn read(text: &str) -> Result<Vec<Self>, RowError> {
-        records(text, &Self::header())?
-            .iter()
-            .map(|fields| {
-                let mut values = Vec::new();
-                let mut column = BEFORE.len();
-                for metric in metrics() {
-                    let lower = fields.optional(column)?;
-                    column += 1;
-                    let upper = if metric.precision == Precision::Bounded {
-                        column += 1;
-                        fields.optional(column - 1)?
-                    } else {
-                        lower
-                    };
-                    let bounds = lower.zip(upper);
-                    values.push(bounds.map(|(lower, upper)| Bounds { lower, upper }));
-                }
-                let error = fields.text(column);
-                Ok(Self {
-                    experiment: fields.text(0),
-                    series: fields.text(1),
-                    x: fields.parse(2)?,
-                    trial: fields.parse(3)?,
-                    seed: fields.parse(4)?,
-                    algorithm: fields.text(5),
-                    points: fields.parse(6)?,
-                    values: if error.is_empty() { values } else { Vec::new() },
-                    error: (!error.is_empty()).then_some(error),
-                    version: fields.text(column + 1),
-                })
-            })
-            .collect()
-    }
-}
-
-impl Timing {
-    /// The names of the columns.
-    #[must_use]
-    pub fn header() -> String {
-        "experiment,series,x,trial,algorithm,points,seconds,memory\n".to_owned()
-    }
-
-    /// The timing as a line of CSV.
-    #[must_use]
-    pub fn to_line(&self) -> String {
-        let memory = self.memory.map(|bytes| bytes.to_string());
-        format!(
-            "{},{},{},{},{},{},{},{}\n",
-            quoted(&self.experiment),
-            quoted(&self.series),
-            self.x,
-            self.trial,
-            quoted(&self.algorithm),
-            self.points,
-            six_digits(self.seconds),
-            memory.unwrap_or_default()
-        )
-    }
-
-    /// Reads a file of timings.
-    ///
-    /// # Errors
-    /// If the columns are others, or a field cannot be read: with its line.
-    pub fn read(text: &str) -> Result<Vec<Self>, RowError> {
-        records(text, &Self::header())?
-            .iter()
-            .map(|fields| {
-                let memory = fields.text(7);
-                Ok(Self {
-                    experiment: fields.text(0),
-                    series: fields.text(1),
-                    x: fields.parse(2)?,
-                    trial: fields.parse(3)?,
-                    algorithm: fields.text(4),
-                    points: fields.parse(5)?,
-                    seconds: fields.parse(6)?,
-                    memory: if memory.is_empty() {
-                        None
-                    } else {
-                        Some(fields.parse(7)?)
-                    },
-                })
-            })
-            .collect()
-    }
-}
-
-/// A record, with its header for messages.
-pub(crate) struct Fields<'a> {
-    record: csv::StringRecord,
-    header: &'a str,
-}
-
-impl Fields<'_> {
-    pub(crate) fn text(&self, column: usize) -> String {
-        self.record.get(column).unwrap_or_default().to_owned()
-    }
-
-    pub(crate) fn parse<T: std::str::FromStr>(&self, column: usize) -> Result<T, RowError> {
-        let value = self.record.get(column).unwrap_or_default();
-        value.parse().map_err(|_| RowError::Field {
-            line: self.record.position().map_or(0, csv::Position::line),
-            column: self
-                .header
-                .trim_end()
-                .split(',')
-                .nth(column)
-                .unwrap_or("?")
-                .to_owned(),
-            value: value.to_owned(),
-        })
-    }
-
-    pub(crate) fn optional(&self, column: usize) -> Result<Option<f64>, RowError> {
-        match self.record.get(column) {
-            None | Some("") => Ok(None),
-            Some(_) => self.parse(column).map(Some),
+    fn of_line(line: &Line<'_>) -> anyhow::Result<Self> {
+        let mut values = Vec::new();
+        let mut column = BEFORE.len();
+        for metric in metrics() {
+            let lower = line.optional(column)?;
+            column += 1;
+            let upper = if metric.precision == Precision::Bounded {
+                column += 1;
+                line.optional(column - 1)?
+            } else {
+                lower
+            };
+            let bounds = lower.zip(upper);
+            values.push(bounds.map(|(lower, upper)| Bounds { lower, upper }));
         }
-    }
-}
-
-/// The records of a file with the given header.
-pub(crate) fn records<'a>(text: &str, header: &'a str) -> Result<Vec<Fields<'a>>, RowError> {
-    let first = text.lines().next().unwrap_or_default();
-    if first != header.trim_end() {
-        return Err(RowError::Columns {
-            found: first.to_owned(),
-            wanted: header.trim_end().to_owned(),
-        });
-    }
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let fields = reader.records().map(|record| {
-        Ok(Fields {
-            record: record?,
-            header,
+        let error = line.text(column).to_owned();
+        Ok(Self {
+            experiment: line.text(0).to_owned(),
+            series: line.text(1).to_owned(),
+            x: line.parse(2)?,
+            trial: line.parse(3)?,
+            seed: line.parse(4)?,
+            algorithm: line.text(5).to_owned(),
+            points: line.parse(6)?,
+            values: if error.is_empty() { values } else { Vec::new() },
+            error: (!error.is_empty()).then_some(error),
+            version: line.text(column + 1).to_owned(),
         })
-    });
-    fields.collect()
-}
-
-/// A number with six significant digits, without zeros at the end.
-pub(crate) fn six_digits(value: f64) -> String {
-    match format!("{value:.5e}").parse::<f64>() {
-        // Never -0, which is a sum of nothing.
-        Ok(rounded) => (rounded + 0.0).to_string(),
-        Err(_) => value.to_string(),
     }
 }
 
-/// A text as a field of CSV.
-pub(crate) fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
+impl Record for Timing {
+    fn columns() -> Vec<String> {
+        [
+            "experiment",
+            "series",
+            "x",
+            "trial",
+            "algorithm",
+            "points",
+            "seconds",
+            "memory",
+        ]
+        .map(str::to_owned)
+        .to_vec()
+    }
+
+    fn fields(&self) -> Vec<Field> {
+        vec![
+            self.experiment.as_str().into(),
+            self.series.as_str().into(),
+            self.x.into(),
+            Field::Count(self.trial.into()),
+            self.algorithm.as_str().into(),
+            self.points.into(),
+            Field::rounded(self.seconds, 6),
+            self.memory.map_or(Field::Missing, Field::Count),
+        ]
+    }
+
+    fn of_line(line: &Line<'_>) -> anyhow::Result<Self> {
+        Ok(Self {
+            experiment: line.text(0).to_owned(),
+            series: line.text(1).to_owned(),
+            x: line.parse(2)?,
+            trial: line.parse(3)?,
+            algorithm: line.text(4).to_owned(),
+            points: line.parse(5)?,
+            seconds: line.parse(6)?,
+            memory: line.optional(7)?,
+        })
     }
 }
 
@@ -309,6 +197,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
     use super::*;
+    use crate::compare::records;
 
     fn row() -> Row {
         Row {
@@ -343,8 +232,8 @@ mod tests {
             ..row()
         };
         let rows = vec![row(), failed];
-        let text: String = rows.iter().map(Row::to_line).collect();
-        assert_eq!(Row::read(&(Row::header() + &text)).unwrap(), rows);
+        let text = records::table(&rows).to_csv().unwrap();
+        assert_eq!(records::read::<Row>(&text).unwrap(), rows);
 
         let timing = Timing {
             experiment: "scale".into(),
@@ -356,28 +245,19 @@ mod tests {
             seconds: 0.25,
             memory: Some(1 << 40),
         };
-        let text = Timing::header() + &timing.to_line();
-        assert_eq!(Timing::read(&text).unwrap(), [timing]);
+        let timings = [timing];
+        let text = records::table(&timings).to_csv().unwrap();
+        assert_eq!(records::read::<Timing>(&text).unwrap(), timings);
     }
 
     #[test]
     fn what_cannot_be_read_is_named() {
-        let text = Row::header() + &row().to_line().replace(",3,", ",x,");
-        let message = Row::read(&text).unwrap_err().to_string();
-        assert_eq!(message, "line 2, column trial: \"x\" cannot be read");
-        assert!(matches!(Row::read("a,b\n"), Err(RowError::Columns { .. })));
-    }
-
-    #[test]
-    fn six_digits_are_kept() {
-        for (value, text) in [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (1.0 / 3.0, "0.333333"),
-            (1.5e-9, "0.0000000015"),
-            (f64::INFINITY, "inf"),
-        ] {
-            assert_eq!(six_digits(value), text);
-        }
+        let text = records::table(&[row()]).to_csv().unwrap();
+        let message = |text: &str| records::read::<Row>(text).unwrap_err().to_string();
+        assert_eq!(
+            message(&text.replace(",3,", ",x,")),
+            "line 2, column trial: \"x\" cannot be read"
+        );
+        assert!(message("a,b\n").contains("of another version"));
     }
 }

@@ -8,8 +8,9 @@ use super::cell::{Fixtures, Job};
 use super::experiment::Input;
 use super::plan::Plan;
 use super::progress;
+use super::records;
 use super::scale;
-use super::trial::{self, Lines};
+use super::trial::{self, Done};
 use crate::compare::rows::{Row, Timing};
 use anyhow::{Context, ensure};
 use indicatif::ProgressBar;
@@ -60,14 +61,16 @@ pub(super) fn run(
         }
         drop(send);
         // Cells that came before one that is still running.
-        let mut early: BTreeMap<usize, Lines> = BTreeMap::new();
-        for (index, lines) in receive {
-            let lines = lines.inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
-            early.insert(index, lines);
-            while let Some(lines) = early.remove(&written) {
+        let mut early: BTreeMap<usize, Done> = BTreeMap::new();
+        for (index, done) in receive {
+            let done = done.inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
+            early.insert(index, done);
+            while let Some(done) = early.remove(&written) {
                 // Times first: a cell is there when its rows are.
-                times.write_all(lines.times.as_bytes())?;
-                rows.write_all(lines.rows.as_bytes())?;
+                let lines = records::table(&done.times).to_csv_lines()?;
+                times.write_all(lines.as_bytes())?;
+                let lines = records::table(&done.rows).to_csv_lines()?;
+                rows.write_all(lines.as_bytes())?;
                 written += 1;
             }
         }
@@ -77,7 +80,7 @@ pub(super) fn run(
     Ok(written == jobs.len())
 }
 
-type Sent = (usize, anyhow::Result<Lines>);
+type Sent = (usize, anyhow::Result<Done>);
 
 /// What a worker needs.
 struct Work<'a> {
@@ -100,18 +103,18 @@ impl Work<'_> {
                 return;
             };
             self.bar.set_message(job.experiment.name.clone());
-            let Some(lines) = self.one(job).transpose() else {
+            let Some(done) = self.one(job).transpose() else {
                 return;
             };
             let place = || format!("{}, {} at {}", job.experiment.name, job.series(), job.x);
-            if send.send((index, lines.with_context(place))).is_err() {
+            if send.send((index, done.with_context(place))).is_err() {
                 return;
             }
             self.bar.inc(u64::from(job.trials));
         }
     }
 
-    fn one(&self, job: &Job) -> anyhow::Result<Option<Lines>> {
+    fn one(&self, job: &Job) -> anyhow::Result<Option<Done>> {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         let seed = self.plan.seed.unwrap_or(job.experiment.seed);
         let algorithms = self.plan.algorithms_of(job);
@@ -131,8 +134,8 @@ fn append(path: &Path) -> anyhow::Result<fs::File> {
 pub(super) fn begin(plan: &Plan, folder: &Path) -> anyhow::Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     for (name, text) in [
-        ("rows.csv", Row::header()),
-        ("times.csv", Timing::header()),
+        ("rows.csv", records::table::<Row>(&[]).to_csv()?),
+        ("times.csv", records::table::<Timing>(&[]).to_csv()?),
         ("plan.txt", plan.fingerprint()),
     ] {
         let path = folder.join(name);
@@ -154,7 +157,7 @@ pub(super) fn resume(plan: &Plan, folder: &Path) -> anyhow::Result<usize> {
         folder.display()
     );
     let text = whole_lines(read("rows.csv")?);
-    let rows = Row::read(&text)?;
+    let rows: Vec<Row> = records::read(&text)?;
     let (mut complete, mut kept) = (0, 0);
     for job in &plan.jobs {
         let series = job.series();
@@ -174,7 +177,7 @@ pub(super) fn resume(plan: &Plan, folder: &Path) -> anyhow::Result<usize> {
         complete += 1;
     }
     let rows = &rows[..kept];
-    let lines = Row::header() + &rows.iter().map(Row::to_line).collect::<String>();
+    let lines = records::table(rows).to_csv()?;
     // An algorithm that failed has no time.
     let timed = rows.iter().filter(|row| row.error.is_none()).count();
     let times = whole_lines(read("times.csv")?);

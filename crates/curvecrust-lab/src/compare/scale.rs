@@ -4,7 +4,7 @@ use super::algorithms;
 use super::cell::Job;
 use super::memory::Before;
 use super::seed::seed_of;
-use super::trial::{self, Lines};
+use super::trial::{self, Done};
 use crate::compare::rows::Row;
 use anyhow::{Context, bail, ensure};
 use curvecrust::DVec2;
@@ -27,9 +27,9 @@ pub(super) fn run(
     algorithms: &[String],
     threads: usize,
     goes_on: &dyn Fn() -> bool,
-) -> anyhow::Result<Option<Lines>> {
+) -> anyhow::Result<Option<Done>> {
     let series = job.series();
-    let mut lines = Lines::default();
+    let mut done = Done::default();
     for trial in 0..job.trials {
         let seed = seed_of(seed, &job.experiment.name, &series, job.x, trial);
         for name in algorithms {
@@ -56,14 +56,14 @@ pub(super) fn run(
                     row.values = vec![Some(Bounds::exactly(exact))];
                     let mut timing = trial::timing(&row, measured.seconds);
                     timing.memory = measured.memory;
-                    lines.times += &timing.to_line();
+                    done.times.push(timing);
                 }
                 Err(error) => row.error = Some(format!("{error:#}")),
             }
-            lines.rows += &row.to_line();
+            done.rows.push(row);
         }
     }
-    Ok(Some(lines))
+    Ok(Some(done))
 }
 
 struct MeasuredCurve {

@@ -1,11 +1,10 @@
-//! Tables as Markdown, and everything as JSON.
+//! Tables of the answers, and everything as JSON.
 
 use serde::Serialize;
 
-use crate::compare::heat_map::{HeatMap, percent};
-use crate::compare::rows::six_digits;
+use crate::compare::heat_map::HeatMap;
 use crate::compare::sheet::{Answers, Faultless, Panel, Sheet};
-use crate::paper::render::{RenderError, grid};
+use crate::table::{Field, Section, Table, rounded};
 
 /// All tables: the overview, then every panel of every experiment.
 #[must_use]
@@ -20,8 +19,7 @@ pub fn markdown(sheets: &[Sheet], algorithms: &[&str]) -> String {
             experiment.question.trim()
         );
         for panel in &sheet.panels {
-            text += &format!("### {}\n\n", panel.title());
-            text += &panel_table(panel, &experiment.sweep);
+            text += &section(panel.title(), panel, &experiment.sweep).to_markdown(3);
         }
     }
     text
@@ -34,22 +32,21 @@ pub fn overview(sheets: &[Sheet], algorithms: &[&str]) -> String {
     if map.rows.is_empty() {
         return String::new();
     }
-    let mut header = vec!["exactly the true edges"];
-    header.extend(map.rows.iter().map(|row| row.0.as_str()));
-    let lines: Vec<Vec<String>> = map
-        .columns
-        .iter()
-        .enumerate()
-        .map(|(i, name)| {
-            let shares = map
-                .rows
-                .iter()
-                .map(|row| percent(row.1.get(i).copied().flatten()));
-            [name.clone()].into_iter().chain(shares).collect()
-        })
-        .collect();
-    "## Overview: share of trials, over all values of each sweep\n\n".to_owned()
-        + &grid(&header, &lines)
+    let names = map.rows.iter().map(|row| row.0.as_str());
+    let mut table = Table::new(["exactly the true edges"].into_iter().chain(names));
+    for (i, name) in map.columns.iter().enumerate() {
+        let shares = map.rows.iter().map(|row| row.1.get(i).copied().flatten());
+        let shares = shares.map(|share| share.map_or(Field::Missing, Field::Share));
+        let row = [name.as_str().into()].into_iter().chain(shares);
+        table.rows.push(row.collect());
+    }
+    let section = Section {
+        title: "Overview: share of trials, over all values of each sweep".to_owned(),
+        about: String::new(),
+        table,
+        note: String::new(),
+    };
+    section.to_markdown(2)
 }
 
 /// What matters most of each experiment, by the values of its sweep: the share of trials with exactly
@@ -60,90 +57,78 @@ pub fn by_value(sheets: &[Sheet]) -> String {
     for sheet in sheets {
         let matters = |panel: &&Panel| matches!(&*panel.metric, "exact" | "run_time" | "memory");
         for panel in sheet.panels.iter().filter(matters) {
-            text += &format!("### {}, {}\n\n", sheet.experiment.name, panel.title());
-            text += &panel_table(panel, &sheet.experiment.sweep);
+            let title = format!("{}, {}", sheet.experiment.name, panel.title());
+            text += &section(title, panel, &sheet.experiment.sweep).to_markdown(3);
         }
     }
     text
 }
 
-/// The values of a panel: a line per value of the sweep, a column per algorithm.
-pub(crate) fn panel_cells(panel: &Panel, sweep: &str) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut xs: Vec<f64> = panel
-        .lines
-        .iter()
-        .flat_map(|line| line.answers.iter().map(|a| a.x))
-        .collect();
+fn section(title: String, panel: &Panel, sweep: &str) -> Section {
+    let about = match panel.unit.as_str() {
+        "share" => String::new(),
+        "extents" => "In extents of the curve.".to_owned(),
+        unit => format!("In {unit}."),
+    };
+    Section {
+        title,
+        about,
+        table: values(panel, sweep),
+        note: String::new(),
+    }
+}
+
+/// The values of a panel: a row per value of the sweep, a column per algorithm.
+#[must_use]
+pub fn values(panel: &Panel, sweep: &str) -> Table {
+    let answers = panel.lines.iter().flat_map(|line| &line.answers);
+    let mut xs: Vec<f64> = answers.map(|answer| answer.x).collect();
     xs.sort_by(f64::total_cmp);
     xs.dedup_by(|a, b| a.to_bits() == b.to_bits());
+
+    let names = panel.lines.iter().map(|line| line.algorithm.as_str());
+    let mut table = Table::new([sweep].into_iter().chain(names));
+    let mut push = |name: Field, of: &dyn Fn(&Answers) -> Option<Field>| {
+        let fields = panel.lines.iter();
+        let fields = fields.map(|line| of(line).unwrap_or(Field::Missing));
+        table.rows.push([name].into_iter().chain(fields).collect());
+    };
     let share = panel.unit == "share";
-    let cell = |line: &Answers, x: f64| {
-        let answer = line.answers.iter().find(|a| a.x.to_bits() == x.to_bits());
-        match answer {
-            Some(answer) if share => percent(Some(answer.mean)),
-            Some(answer) => three_digits(answer.mean),
-            None => "–".to_owned(),
-        }
-    };
-    let mut header = vec![sweep.to_owned()];
-    header.extend(panel.lines.iter().map(|line| line.algorithm.clone()));
-    let mut lines: Vec<Vec<String>> = xs
-        .iter()
-        .map(|&x| {
-            let cells = panel.lines.iter().map(|line| cell(line, x));
-            [six_digits(x)].into_iter().chain(cells).collect()
-        })
-        .collect();
-    let closing = |name: &str, of: &dyn Fn(&Answers) -> Option<String>| {
-        let cells = panel
-            .lines
-            .iter()
-            .map(|line| of(line).unwrap_or("–".to_owned()));
-        [name.to_owned()]
-            .into_iter()
-            .chain(cells)
-            .collect::<Vec<String>>()
-    };
-    match panel.metric.as_str() {
-        "exact" => lines.push(closing("always", &|line| {
-            Some(match line.faultless()? {
-                Faultless::UpTo(x) => format!("≤ {}", six_digits(x)),
-                Faultless::From(x) => format!("≥ {}", six_digits(x)),
+    for x in xs {
+        push(Field::rounded(x, 6), &|line| {
+            let mut answers = line.answers.iter();
+            let mean = answers.find(|a| a.x.to_bits() == x.to_bits())?.mean;
+            Some(if share {
+                Field::Share(mean)
+            } else {
+                Field::rounded(mean, 3)
             })
-        })),
-        "run_time" => lines.push(closing("exponent of n", &|line| {
-            Some(three_digits(line.slope()?))
-        })),
-        "memory" => lines.push(closing("bytes a point, at last", &|line| {
+        });
+    }
+    match panel.metric.as_str() {
+        "exact" => push("always".into(), &|line| {
+            Some(Field::Written(match line.faultless()? {
+                Faultless::UpTo(x) => format!("≤ {}", rounded(x, 6)),
+                Faultless::From(x) => format!("≥ {}", rounded(x, 6)),
+            }))
+        }),
+        "run_time" => push("exponent of n".into(), &|line| {
+            Some(Field::rounded(line.slope()?, 3))
+        }),
+        "memory" => push("bytes a point, at last".into(), &|line| {
             let last = line.answers.last()?;
-            Some(three_digits(last.mean * 1_048_576.0 / last.x))
-        })),
+            Some(Field::rounded(last.mean * 1_048_576.0 / last.x, 3))
+        }),
         _ => {}
     }
-    (header, lines)
-}
-
-fn panel_table(panel: &Panel, sweep: &str) -> String {
-    let (header, lines) = panel_cells(panel, sweep);
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let unit = match panel.unit.as_str() {
-        "share" => String::new(),
-        "extents" => "In extents of the curve.\n\n".to_owned(),
-        unit => format!("In {unit}.\n\n"),
-    };
-    unit + &grid(&header, &lines)
-}
-
-fn three_digits(value: f64) -> String {
-    let rounded = format!("{value:.2e}").parse::<f64>().unwrap_or(value);
-    six_digits(rounded)
+    table
 }
 
 /// The sheets as they are.
 ///
 /// # Errors
 /// If the JSON writer fails, which it does not in memory.
-pub fn json(sheets: &[Sheet]) -> Result<String, RenderError> {
+pub fn json(sheets: &[Sheet]) -> serde_json::Result<String> {
     #[derive(Serialize)]
     struct Document<'a> {
         experiments: &'a [Sheet],

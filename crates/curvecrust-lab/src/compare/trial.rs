@@ -1,4 +1,4 @@
-//! One cell run: every trial by every algorithm, as lines of the row and timing files.
+//! One cell run: every trial by every algorithm, as rows and their times.
 
 use super::algorithms;
 use super::cell::{Fixtures, Job, Sampled};
@@ -13,11 +13,11 @@ use std::time::Instant;
 /// The bounds of distances are about so many extents apart.
 const TOLERANCE: f64 = 1e-3;
 
-/// The lines of a cell.
+/// What a cell gave.
 #[derive(Default)]
-pub(super) struct Lines {
-    pub(super) rows: String,
-    pub(super) times: String,
+pub(super) struct Done {
+    pub(super) rows: Vec<Row>,
+    pub(super) times: Vec<Timing>,
 }
 
 /// Runs a cell; `None` if it was stopped.
@@ -27,12 +27,12 @@ pub(super) fn run(
     algorithms: &[String],
     fixtures: &Fixtures,
     goes_on: &dyn Fn() -> bool,
-) -> anyhow::Result<Option<Lines>> {
+) -> anyhow::Result<Option<Done>> {
     let cell = job.prepare(fixtures)?;
     let algorithms = algorithms.iter().map(|name| algorithms::named(name));
     let algorithms: Vec<_> = algorithms.collect::<anyhow::Result<_>>()?;
     let series = job.series();
-    let mut lines = Lines::default();
+    let mut done = Done::default();
     for trial in 0..job.trials {
         if !goes_on() {
             return Ok(None);
@@ -63,17 +63,17 @@ pub(super) fn run(
                     match edges {
                         Ok(edges) => {
                             row.values = values(sampled, &cell.scene, edges, &mut known);
-                            lines.times += &timing(&row, seconds).to_line();
+                            done.times.push(timing(&row, seconds));
                         }
                         Err(error) => row.error = Some(error.to_string()),
                     }
                 }
                 Err(error) => row.error = Some(format!("{error:#}")),
             }
-            lines.rows += &row.to_line();
+            done.rows.push(row);
         }
     }
-    Ok(Some(lines))
+    Ok(Some(done))
 }
 
 /// Algorithms that can use them are told the ends.

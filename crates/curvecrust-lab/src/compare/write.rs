@@ -3,11 +3,12 @@
 use super::algorithms;
 use super::experiment::Experiment;
 use crate::compare::cells::Cells;
-use crate::compare::chart::{Paper, Width};
+use crate::compare::chart::Width;
 use crate::compare::heat_map::HeatMap;
 use crate::compare::rows::Timing;
 use crate::compare::sheet::Sheet;
 use crate::compare::{page, tables};
+use crate::drawing::Within;
 use crate::png::Rasteriser;
 use crate::whole::write_whole;
 use anyhow::Context;
@@ -54,7 +55,7 @@ pub(super) fn texts(
     if !map.rows.is_empty() {
         texts.push((
             "plots/overview.svg".to_owned(),
-            map.to_svg(Width::Wide, Paper::Light),
+            map.to_svg(Width::Wide, Within::File),
         ));
     }
     for sheet in sheets {
@@ -78,7 +79,7 @@ pub(super) fn texts(
                 sheet.experiment.name, panel.metric
             );
             let chart = panel.chart(&sheet.experiment.sweep);
-            texts.push((name, chart.to_svg(Width::Wide, Paper::Light)));
+            texts.push((name, chart.to_svg(Width::Wide, Within::File)));
         }
     }
     Ok(texts)

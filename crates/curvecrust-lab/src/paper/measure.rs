@@ -2,7 +2,7 @@
 
 use super::models::Model;
 use super::published;
-use super::rows::{Counts, CurveOrigin, PaperReport, Setting, Table1Row, Table2Row, Table3Row};
+use super::rows::{CurveOrigin, PaperReport, Sampled, Setting, Table1Row, Table2Row, Table3Row};
 use anyhow::Context;
 use curvecrust::curve::DenseCurve;
 use curvecrust::evaluate::EdgeComparison;
@@ -117,13 +117,20 @@ pub(crate) fn tables_2_and_3(
         .into_par_iter()
         .map(|(run, model)| {
             let measured = run.measure(model)?;
-            let second = second
-                .then(|| table_2_row(run, model, &measured))
-                .transpose()?;
-            let limits = published::TABLE_3
-                .iter()
-                .filter(|_| third && model.name == LIMITED);
-            let third = limits.map(|&(limit, _)| table_3_row(run, model, &measured, limit));
+            let second = second.then(|| sampled(run, &measured, None)).transpose()?;
+            let second = second.map(|sampled| Table2Row {
+                model: model.name,
+                sampled,
+            });
+            let limits = published::PAPER.limits.iter().map(|row| row.0);
+            let limits = limits.filter(|_| third && model.name == LIMITED);
+            let third = limits.map(|limit_percent| {
+                let limit = limit_percent.map(|percent| percent / 100.0 * model.curve.extent());
+                Ok(Table3Row {
+                    limit_percent,
+                    sampled: sampled(run, &measured, limit)?,
+                })
+            });
             Ok((second, third.collect::<anyhow::Result<_>>()?))
         })
         .collect::<anyhow::Result<_>>()?;
@@ -137,69 +144,36 @@ pub(crate) fn tables_2_and_3(
     })
 }
 
-fn table_2_row(run: Run, model: &Model, measured: &MeasuredCurve) -> anyhow::Result<Table2Row> {
-    let sampled = Sampled::new(measured, None)?;
-    Ok(Table2Row {
-        model: model.name,
-        setting: run.setting(),
-        counts: sampled.counts,
-        reconstructed: sampled.reconstructed,
-        closing_intervals_hold: sampled.closing_intervals_hold,
-    })
-}
-
-fn table_3_row(
+/// Samples as the paper did under its three conditions, and reconstructs.
+fn sampled(
     run: Run,
-    model: &Model,
     measured: &MeasuredCurve,
-    limit_percent: Option<f64>,
-) -> anyhow::Result<Table3Row> {
-    let limit = limit_percent.map(|percent| percent / 100.0 * model.curve.extent());
-    let sampled = Sampled::new(measured, limit)?;
-    Ok(Table3Row {
-        limit_percent,
-        setting: run.setting(),
-        counts: sampled.counts,
-        reconstructed: sampled.reconstructed,
-        closing_intervals_hold: sampled.closing_intervals_hold,
-    })
-}
-
-/// What sampling under the three conditions gave.
-struct Sampled {
-    counts: Counts,
-    reconstructed: bool,
-    closing_intervals_hold: bool,
-}
-
-impl Sampled {
-    fn new(measured: &MeasuredCurve, hausdorff_limit: Option<f64>) -> anyhow::Result<Self> {
-        let mut counts = [0; 3];
-        let (mut reconstructed, mut closing_intervals_hold) = (true, true);
-        let conditions = [
-            Condition::rho(0.9)?,
-            Condition::epsilon(0.47)?,
-            Condition::epsilon(1.0 / 3.0)?,
-        ];
-        for (count, condition) in counts.iter_mut().zip(conditions) {
-            let condition = match hausdorff_limit {
-                Some(limit) => condition.with_hausdorff_limit(limit)?,
-                None => condition,
-            };
-            let sampled = sample_as_published(measured, condition).samples;
-            let found = hnn_crust(&sampled.point_set()?);
-            let comparison = EdgeComparison::new(&sampled.manifold_boundary(), &found);
-            *count = sampled.len();
-            reconstructed &= comparison.is_exact();
-            closing_intervals_hold &= sampled
-                .closing_intervals()
-                .iter()
-                .all(|interval| interval.holds);
-        }
-        Ok(Self {
-            counts: counts.into(),
-            reconstructed,
-            closing_intervals_hold,
-        })
+    hausdorff_limit: Option<f64>,
+) -> anyhow::Result<Sampled> {
+    let mut counts = [0; 3];
+    let (mut reconstructed, mut closing_intervals_hold) = (true, true);
+    let conditions = [
+        Condition::rho(0.9)?,
+        Condition::epsilon(0.47)?,
+        Condition::epsilon(1.0 / 3.0)?,
+    ];
+    for (count, condition) in counts.iter_mut().zip(conditions) {
+        let condition = match hausdorff_limit {
+            Some(limit) => condition.with_hausdorff_limit(limit)?,
+            None => condition,
+        };
+        let sampled = sample_as_published(measured, condition).samples;
+        let found = hnn_crust(&sampled.point_set()?);
+        let comparison = EdgeComparison::new(&sampled.manifold_boundary(), &found);
+        *count = sampled.len();
+        reconstructed &= comparison.is_exact();
+        let intervals = sampled.closing_intervals();
+        closing_intervals_hold &= intervals.iter().all(|interval| interval.holds);
     }
+    Ok(Sampled {
+        setting: run.setting(),
+        counts: counts.into(),
+        reconstructed,
+        closing_intervals_hold,
+    })
 }

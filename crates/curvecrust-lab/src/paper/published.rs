@@ -3,6 +3,8 @@
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
 //! 2016, Tables 1 to 3. Counts of samples are in the order rho < 0.9, epsilon < 0.47, epsilon < 1/3.
 
+use super::rows::Subject;
+
 /// A row of Table 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
@@ -63,39 +65,60 @@ const fn bound(
     }
 }
 
-/// Table 2: the model and its counts.
-pub const TABLE_2: [(&str, [usize; 3]); 4] = [
-    ("parallel", [20, 35, 48]),
-    ("teaser", [26, 43, 61]),
-    ("bunny", [58, 94, 131]),
-    ("cat", [180, 254, 356]),
-];
+/// Tables 2 and 3.
+pub struct Known {
+    /// Table 2: the model and its counts.
+    pub models: [(&'static str, [usize; 3]); 4],
+    /// Table 3: the Hausdorff limit in per cent of the larger extent, `None` for no limit, and the
+    /// counts on the bunny.
+    pub limits: [(Option<f64>, [usize; 3]); 5],
+}
 
-/// Table 3: the Hausdorff limit in per cent of the larger extent, `None` for no limit, and the
-/// counts on the bunny.
-pub const TABLE_3: [(Option<f64>, [usize; 3]); 5] = [
-    (None, [58, 94, 131]),
-    (Some(1.0), [60, 94, 131]),
-    (Some(0.3), [73, 99, 133]),
-    (Some(0.1), [105, 123, 148]),
-    (Some(0.03), [173, 186, 204]),
-];
+/// What the paper prints.
+pub const PAPER: Known = Known {
+    models: [
+        ("parallel", [20, 35, 48]),
+        ("teaser", [26, 43, 61]),
+        ("bunny", [58, 94, 131]),
+        ("cat", [180, 254, 356]),
+    ],
+    limits: [
+        (None, [58, 94, 131]),
+        (Some(1.0), [60, 94, 131]),
+        (Some(0.3), [73, 99, 133]),
+        (Some(0.1), [105, 123, 148]),
+        (Some(0.03), [173, 186, 204]),
+    ],
+};
 
 /// What a prototype of this project counted on the authors' curves with the Voronoi medial axis in
-/// double precision, at 300 points a segment: Tables 2 and 3. No noise of single precision makes
-/// medial points too near, so the counts are a little lower than the paper's.
-pub const VORONOI_TABLE_2: [(&str, [usize; 3]); 4] = [
-    ("parallel", [20, 35, 47]),
-    ("teaser", [26, 43, 61]),
-    ("bunny", [57, 92, 128]),
-    ("cat", [173, 247, 346]),
-];
+/// double precision, at 300 points a segment. No noise of single precision makes medial points too
+/// near, so the counts are a little lower than the paper's.
+pub const VORONOI: Known = Known {
+    models: [
+        ("parallel", [20, 35, 47]),
+        ("teaser", [26, 43, 61]),
+        ("bunny", [57, 92, 128]),
+        ("cat", [173, 247, 346]),
+    ],
+    limits: [
+        (None, [57, 92, 128]),
+        (Some(1.0), [59, 93, 128]),
+        (Some(0.3), [73, 98, 131]),
+        (Some(0.1), [105, 123, 147]),
+        (Some(0.03), [173, 186, 203]),
+    ],
+};
 
-/// Like [`VORONOI_TABLE_2`], for Table 3.
-pub const VORONOI_TABLE_3: [(Option<f64>, [usize; 3]); 5] = [
-    (None, [57, 92, 128]),
-    (Some(1.0), [59, 93, 128]),
-    (Some(0.3), [73, 98, 131]),
-    (Some(0.1), [105, 123, 147]),
-    (Some(0.03), [173, 186, 203]),
-];
+impl Known {
+    /// The counts for a model or a limit, if the tables have it.
+    #[must_use]
+    pub fn counts(&self, subject: Subject) -> Option<[usize; 3]> {
+        let mut models = self.models.iter().map(|row| (Subject::Model(row.0), row.1));
+        let mut limits = self.limits.iter().map(|row| (Subject::Limit(row.0), row.1));
+        let row = models
+            .find(|row| row.0 == subject)
+            .or_else(|| limits.find(|row| row.0 == subject))?;
+        Some(row.1)
+    }
+}

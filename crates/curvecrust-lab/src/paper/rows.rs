@@ -1,6 +1,7 @@
 //! Rows of the paper's tables, as measured.
 
 use serde::Serialize;
+use std::fmt;
 
 /// Whose drawings the tables were computed on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -72,11 +73,9 @@ pub struct Table1Row {
     pub parallel: f64,
 }
 
-/// What sampling one model took.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Table2Row {
-    /// The model's name.
-    pub model: &'static str,
+/// What sampling under the three conditions gave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Sampled {
     /// How lfs was estimated.
     #[serde(flatten)]
     pub setting: Setting,
@@ -89,21 +88,24 @@ pub struct Table2Row {
     pub closing_intervals_hold: bool,
 }
 
+/// What sampling one model took.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Table2Row {
+    /// The model's name.
+    pub model: &'static str,
+    /// What it took.
+    #[serde(flatten)]
+    pub sampled: Sampled,
+}
+
 /// What sampling the bunny took under a Hausdorff limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Table3Row {
     /// The limit in per cent of the larger extent; `None` for no limit.
     pub limit_percent: Option<f64>,
-    /// How lfs was estimated.
+    /// What it took.
     #[serde(flatten)]
-    pub setting: Setting,
-    /// The numbers of samples.
-    #[serde(flatten)]
-    pub counts: Counts,
-    /// Whether HNN-Crust returns exactly the manifold boundary of every one of the samplings.
-    pub reconstructed: bool,
-    /// Whether the condition holds on the interval from the last sample back to the first, too.
-    pub closing_intervals_hold: bool,
+    pub sampled: Sampled,
 }
 
 /// The fewest samples of one model.
@@ -151,16 +153,41 @@ pub struct PaperReport {
     pub fewest: Vec<FewestRow>,
 }
 
+/// What a row of Table 2 or 3 is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Subject {
+    /// A model.
+    Model(&'static str),
+    /// The bunny within a Hausdorff limit in per cent of its larger extent; `None` for no limit.
+    Limit(Option<f64>),
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Model(name) => f.write_str(name),
+            Self::Limit(None) => f.write_str("∞"),
+            Self::Limit(Some(percent)) => write!(f, "{percent} %"),
+        }
+    }
+}
+
 impl PaperReport {
+    /// The rows of Table 2, then those of Table 3.
+    pub fn sampled(&self) -> impl Iterator<Item = (Subject, Sampled)> {
+        let second = self.table2.iter();
+        let second = second.map(|row| (Subject::Model(row.model), row.sampled));
+        let third = self.table3.iter();
+        second.chain(third.map(|row| (Subject::Limit(row.limit_percent), row.sampled)))
+    }
+
     /// The settings that Tables 2 and 3 were computed in, in order.
     #[must_use]
     pub fn settings(&self) -> Vec<Setting> {
-        let second = self.table2.iter().map(|row| row.setting);
-        let third = self.table3.iter().map(|row| row.setting);
         let mut settings: Vec<Setting> = Vec::new();
-        for setting in second.chain(third) {
-            if !settings.contains(&setting) {
-                settings.push(setting);
+        for (_, sampled) in self.sampled() {
+            if !settings.contains(&sampled.setting) {
+                settings.push(sampled.setting);
             }
         }
         settings

@@ -6,7 +6,7 @@ use super::fewest;
 use super::measure::{self, Points, Run};
 use super::models::{self, Model};
 use super::rows::{CurveOrigin, PaperReport};
-use super::{published, render};
+use super::{published, tables};
 use crate::root::root;
 use std::path::PathBuf;
 
@@ -56,7 +56,7 @@ fn every_sampling_of_the_redrawn_curves_is_reconstructed() {
     assert_eq!((report.table2.len(), report.table3.len()), (8, 10));
     assert_eq!(report.agreement(), []);
     // The stadium is drawn for this count.
-    assert_eq!(report.table2[0].counts.rho, 20);
+    assert_eq!(report.table2[0].sampled.counts.rho, 20);
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn the_authors_counts_are_reproduced() {
 fn a_count_that_is_off_is_a_disagreement() {
     let mut report = report(CurveOrigin::Authors, &redrawn(), &PAPER[..1]);
     assert!(!report.agreement().is_empty());
-    report.table2[1].reconstructed = false;
+    report.table2[1].sampled.reconstructed = false;
     let said: Vec<String> = report.agreement().iter().map(ToString::to_string).collect();
     assert!(said[0].contains("manifold boundary of teaser"), "{said:?}");
 }
@@ -81,8 +81,8 @@ fn converged_counts_have_converged() {
         let counts = |points| {
             let report = report(CurveOrigin::Given, &models, &[Run::Voronoi(points)]);
             assert_eq!(report.agreement(), []);
-            let second = report.table2.iter().map(|row| row.counts);
-            let third = report.table3.iter().map(|row| row.counts);
+            let second = report.table2.iter().map(|row| row.sampled.counts);
+            let third = report.table3.iter().map(|row| row.sampled.counts);
             let counts = second.chain(third).flat_map(|counts| counts.columns());
             counts.collect::<Vec<_>>()
         };
@@ -117,10 +117,10 @@ fn fewest_samples_are_fewer_and_reconstructed() {
             assert!(verified.no_limit < verified.within_percent, "{row:?}");
         }
     }
-    let text = render::markdown(&report);
+    let text = tables::markdown(&report);
     assert!(text.starts_with("## Beyond the paper") && text.contains("| teaser   | rho < 0.9"));
     assert_eq!(
-        render::csv(&report).unwrap().lines().count(),
+        tables::numbers(&report).to_csv().unwrap().lines().count(),
         1 + 2 * (5 + 2 + 2)
     );
 
@@ -135,7 +135,7 @@ fn json_has_the_promised_keys() {
         table1: measure::table_1(),
         ..report(CurveOrigin::Redrawn, &redrawn(), &PAPER[1..])
     };
-    let json: serde_json::Value = serde_json::from_str(&render::json(&report).unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&tables::json(&report).unwrap()).unwrap();
     assert_eq!(json["curves"], "redrawn");
     for key in [
         "algorithm",
@@ -172,7 +172,7 @@ fn csv_has_a_line_for_every_number() {
         table1: measure::table_1(),
         ..report(CurveOrigin::Redrawn, &redrawn(), &PAPER[1..])
     };
-    let csv = render::csv(&report).unwrap();
+    let csv = tables::numbers(&report).to_csv().unwrap();
     // Three numbers a row of Table 1; three counts and a verdict a row of the others.
     assert_eq!(csv.lines().count(), 1 + 3 * 7 + 4 * (4 + 5));
     assert!(csv.contains("2,redrawn,parallel,voronoi,300,rho < 0.9,20,20"));

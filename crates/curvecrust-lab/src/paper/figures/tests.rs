@@ -30,6 +30,7 @@ fn counts_in_captions_are_those_of_the_tables() {
             .iter()
             .find(|row| row.model == name)
             .unwrap()
+            .sampled
             .counts
     };
     let both = |c: Counts| {
@@ -50,7 +51,8 @@ fn counts_in_captions_are_those_of_the_tables() {
         .table3
         .iter()
         .find(|row| row.limit_percent == Some(LIMIT_PERCENT));
-    let ten = both(limited.unwrap().counts).map(|caption| caption.replace(':', " within 1 %:"));
+    let ten =
+        both(limited.unwrap().sampled.counts).map(|caption| caption.replace(':', " within 1 %:"));
     assert_eq!(captions(&figures, 10), ten);
 }
 

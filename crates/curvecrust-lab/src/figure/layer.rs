@@ -1,40 +1,11 @@
 //! How each kind of layer looks.
 
 use curvecrust::{DVec2, geometry::Segment};
+use svg::node::element::Group;
 use svg::node::element::path::Data;
-use svg::node::element::{Circle, Group, Path, Rectangle, Text};
 
 use super::{Ball, Layer, Polyline};
-
-/// The style sheet of all figures. Layers differ by width, shape and lightness, not by colour alone,
-/// so that they can be told apart in grey too; on dark pages the paper is dark.
-pub const STYLE: &str = "\
-.paper { fill: #fff } \
-.caption, .legend, .label { font: 17px 'Noto Sans', 'DejaVu Sans', sans-serif; fill: #1c1c1c } \
-.legend { font-size: 15px } \
-.caption { text-anchor: middle } \
-.label { font-style: italic; text-anchor: middle; stroke: #fff; stroke-width: 4; stroke-linejoin: round; paint-order: stroke } \
-.curve, .axis, .edges, .construction, .leaf, .junction { fill: none; stroke-linejoin: round; stroke-linecap: round } \
-.curve { stroke: #b4b4b4; stroke-width: 5 } \
-.axis { stroke: #3f86d6; stroke-width: 1.2 } \
-.edges { stroke: #c0261c; stroke-width: 2 } \
-.point { fill: #111 } .mark { fill: #fff; stroke: #111; stroke-width: 1.6 } \
-.leaf, .junction { stroke: #0a5fb4; stroke-width: 2.4 } \
-.ball { fill: #6fb6e8; fill-opacity: 0.12; stroke: #1d5f94; stroke-width: 0.7; stroke-opacity: 0.6 } \
-.region { fill: #d7301f; fill-opacity: 0.45; stroke: #a11; stroke-width: 2.2; stroke-linejoin: round } \
-.construction { stroke: #444; stroke-width: 1.3; stroke-dasharray: 6 4 } \
-@media (prefers-color-scheme: dark) { \
-.paper { fill: #15181c } \
-.caption, .legend, .label { fill: #e8e8e8 } \
-.curve { stroke: #666d76 } \
-.axis { stroke: #6ab0f5 } \
-.edges { stroke: #ff7b6b } \
-.label { stroke: #15181c } \
-.point { fill: #f6f6f6 } .mark { fill: #15181c; stroke: #f6f6f6 } \
-.leaf, .junction { stroke: #7cc0ff } \
-.ball { fill: #3b8fce; stroke: #9fd0f5 } \
-.region { fill: #ff6a55; stroke: #ff9d8f } \
-.construction { stroke: #b9bec5 } }";
+use crate::drawing::{circle, path, polyline, rectangle, rounded, text};
 
 /// From a point to the middle of its name, in pixels.
 const BESIDE: f64 = 16.0;
@@ -48,9 +19,9 @@ pub(super) struct Place {
 }
 
 impl Place {
-    fn pixels(self, p: DVec2) -> (f64, f64) {
+    fn pixels(self, p: DVec2) -> DVec2 {
         let p = (p - self.low) * self.scale + self.at;
-        (rounded(p.x), rounded(p.y))
+        DVec2::new(rounded(p.x), rounded(p.y))
     }
 }
 
@@ -118,33 +89,33 @@ impl Layer {
 
 pub(super) fn draw(layer: &Layer, place: Place) -> Group {
     let group = Group::new();
+    let at = |p: &DVec2| place.pixels(*p);
+    let circles = |class: &str, points: &[DVec2], radius: f64| {
+        let circle = |group: Group, p| group.add(circle(class, at(p), radius));
+        points.iter().fold(Group::new(), circle)
+    };
     match layer {
         Layer::Curve(parts) => group.add(path("curve", lines(parts, place))),
         Layer::Construction(parts) => group.add(path("construction", lines(parts, place))),
-        Layer::MedialAxis(segments) => group.add(path("axis", strokes(segments, place))),
+        Layer::MedialAxis(segments) => group.add(path("medial-axis", strokes(segments, place))),
         Layer::Edges(segments) => group.add(path("edges", strokes(segments, place))),
-        Layer::Region(points) => group.add(path("region", line(Data::new(), points, true, place))),
-        Layer::Points(points) => circles(points, "point", dot(points, place), place),
-        Layer::Marks(points) => circles(points, "mark", 3.6, place),
-        Layer::Leaves(points) => circles(points, "leaf", 8.0, place),
-        Layer::Junctions(points) => points.iter().fold(group, |group, &p| {
-            let (x, y) = place.pixels(p);
-            let square = Rectangle::new().set("class", "junction");
-            let square = square.set("x", rounded(x - 7.0)).set("y", rounded(y - 7.0));
-            group.add(square.set("width", 14).set("height", 14))
+        Layer::Region(points) => {
+            let data = polyline(Data::new(), points.iter().map(at), true);
+            group.add(path("region", data))
+        }
+        Layer::Points(points) => circles("point", points, dot(points, place)),
+        Layer::Marks(points) => circles("mark", points, 3.6),
+        Layer::Leaves(points) => circles("leaf", points, 8.0),
+        Layer::Junctions(points) => points.iter().fold(group, |group, p| {
+            group.add(rectangle("junction", at(p) - 7.0, DVec2::splat(14.0)))
         }),
         Layer::Balls(balls) => balls.iter().fold(group, |group, ball| {
-            let (x, y) = place.pixels(ball.centre);
-            let radius = rounded(ball.radius * place.scale);
-            group.add(circle("ball", (x, y), radius))
+            group.add(circle("ball", at(&ball.centre), ball.radius * place.scale))
         }),
         Layer::Labels(labels) => labels.iter().fold(group, |group, label| {
-            let (x, y) = place.pixels(label.at);
-            let aside = BESIDE * label.towards.normalize_or_zero();
-            let text = Text::new(label.name.as_str()).set("class", "label");
             // Lower by half the height of a small letter.
-            let (x, y) = (rounded(x + aside.x), rounded(y + aside.y + 5.0));
-            group.add(text.set("x", x).set("y", y))
+            let aside = BESIDE * label.towards.normalize_or_zero() + DVec2::new(0.0, 5.0);
+            group.add(text("label", at(&label.at) + aside, &label.name))
         }),
     }
 }
@@ -160,48 +131,17 @@ fn dot(points: &[DVec2], place: Place) -> f64 {
     // Of ten dots one may touch another, and of fewer one pair.
     let close = squared.get((squared.len() / 10).max(2)).copied();
     let radius = place.scale * close.unwrap_or(f64::INFINITY).sqrt() / 2.2;
-    rounded(radius.clamp(2.0, 3.6))
-}
-
-fn path(class: &str, data: Data) -> Path {
-    Path::new().set("class", class).set("d", data)
-}
-
-fn circle(class: &str, (x, y): (f64, f64), radius: f64) -> Circle {
-    let circle = Circle::new().set("class", class);
-    circle.set("cx", x).set("cy", y).set("r", radius)
-}
-
-fn circles(points: &[DVec2], class: &str, radius: f64, place: Place) -> Group {
-    points.iter().fold(Group::new(), |group, &p| {
-        group.add(circle(class, place.pixels(p), radius))
-    })
+    radius.clamp(2.0, 3.6)
 }
 
 fn lines(parts: &[Polyline], place: Place) -> Data {
-    let add = |data, (points, closed): &Polyline| line(data, points, *closed, place);
-    parts.iter().fold(Data::new(), add)
-}
-
-fn line(mut data: Data, points: &[DVec2], closed: bool, place: Place) -> Data {
-    for (i, &p) in points.iter().enumerate() {
-        let at = place.pixels(p);
-        data = if i == 0 {
-            data.move_to(at)
-        } else {
-            data.line_to(at)
-        };
-    }
-    if closed { data.close() } else { data }
+    parts.iter().fold(Data::new(), |data, (points, closed)| {
+        polyline(data, points.iter().map(|&p| place.pixels(p)), *closed)
+    })
 }
 
 fn strokes(segments: &[Segment], place: Place) -> Data {
     segments.iter().fold(Data::new(), |data, segment| {
-        data.move_to(place.pixels(segment.a))
-            .line_to(place.pixels(segment.b))
+        polyline(data, [segment.a, segment.b].map(|p| place.pixels(p)), false)
     })
-}
-
-pub(super) fn rounded(value: f64) -> f64 {
-    (value * 100.0).round() / 100.0
 }
