@@ -63,7 +63,7 @@ fn a_sample_of_the_circle_is_the_half_neighbour() {
 fn rho_is_certified_to_be_below_what_theorem_2_asks_for() {
     let curve = Curve::from_svg(DRAWING).unwrap();
     let options = MeasureOptions {
-        discretisation: Discretisation::Adaptive { gap_to_lfs: 0.002 },
+        discretisation: Discretisation::Adaptive { gap_to_lfs: 0.001 },
         ..Default::default()
     };
     let measured = measure_with(&curve, &options).unwrap();
