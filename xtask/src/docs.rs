@@ -1,6 +1,6 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
-use curvecrust_lab::{docs, root, write_whole};
+use curvecrust_lab::{docs, root, write_atomically};
 use std::process::ExitCode;
 
 /// What was typed.
@@ -17,7 +17,7 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for (name, text) in docs::made()? {
         let path = root().join(&name);
         if !args.check {
-            write_whole(&path, &text)?;
+            write_atomically(&path, &text)?;
             println!("wrote {name}");
         } else if std::fs::read_to_string(&path).ok().as_ref() != Some(&text) {
             println!("{name} is stale: run cargo xtask docs");

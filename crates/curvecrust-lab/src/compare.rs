@@ -11,7 +11,7 @@
 //! | [`rows`] | [`Row`]: what one algorithm made of one input |
 //! | [`records`] | rows and means as lines of CSV, and back |
 //! | [`cells`] | [`Cells`]: means over trials |
-//! | [`sheet`] | [`Sheet`](sheet::Sheet): what an experiment asks, and its curves against what it sweeps |
+//! | [`results`] | [`ExperimentResults`](results::ExperimentResults): what an experiment asks, and its curves against what it sweeps |
 //! | [`tables`] | Markdown and JSON |
 //! | [`axis`] | [`Axis`](axis::Axis): range, scale and format of a chart's axis |
 //! | [`chart`] | [`Chart`](chart::Chart): lines with bands, as SVG |
@@ -37,21 +37,21 @@ mod plan;
 mod progress;
 pub mod published;
 pub mod records;
+pub mod results;
 pub mod rows;
 mod run;
 pub mod scale;
-pub(crate) mod scene;
 mod seed;
-pub mod sheet;
 mod shortest_tour;
 pub mod tables;
 #[cfg(test)]
 mod tests;
 mod trial;
+pub(crate) mod true_curves;
 mod write;
 
-use crate::root::root;
-use crate::whole::write_whole;
+use crate::repository::root;
+use crate::repository::write_atomically;
 use anyhow::Context;
 use cells::Cells;
 use rows::{Row, Timing};
@@ -128,7 +128,7 @@ pub fn run(options: &Options, stop: &AtomicBool) -> anyhow::Result<Outcome> {
     let rows = records::read(&text_of(&folder.join("rows.csv"))?)?;
     let times = records::read(&text_of(&folder.join("times.csv"))?)?;
     let cells = Cells::of_rows(&rows);
-    write_whole(&folder.join("cells.csv"), cells.table().to_csv()?)?;
+    write_atomically(&folder.join("cells.csv"), cells.table().to_csv()?)?;
     let names = experiments.iter().map(|e| e.name.clone()).collect();
     // A resumed run knows the time of its last part only.
     let seconds = (!options.resume).then(|| start.elapsed().as_secs_f64().round());
@@ -137,8 +137,8 @@ pub fn run(options: &Options, stop: &AtomicBool) -> anyhow::Result<Outcome> {
     let texts = write::texts(&answered, &[run.facts()])?;
     write::write(&folder, &texts)?;
     let results = Results {
-        by_value: tables::by_value(&answered.sheets),
-        overview: tables::overview(&answered.sheets, &answered.algorithms),
+        by_value: tables::by_value(&answered.results),
+        overview: tables::overview(&answered.results, &answered.algorithms),
         differing: known::differing(&experiments, &rows),
         rows,
         run,

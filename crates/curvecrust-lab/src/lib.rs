@@ -18,11 +18,7 @@ mod method;
 mod page;
 pub mod paper;
 mod png;
-mod root;
-mod said;
+mod repository;
 pub mod table;
-mod whole;
 
-pub use root::root;
-pub use said::said;
-pub use whole::write_whole;
+pub use repository::{output_of, root, write_atomically};

@@ -1,6 +1,6 @@
 //! The figures of `docs/method.md`: where least detour goes on after local rules, and where it fails.
 
-use crate::compare::scene::{TILES, arc};
+use crate::compare::true_curves::{TILES, arc};
 use crate::figure::Figure;
 use crate::paper::figures::marked;
 use curvecrust::DVec2;

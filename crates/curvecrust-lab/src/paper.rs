@@ -24,8 +24,8 @@ pub mod tables;
 #[cfg(test)]
 mod tests;
 
-use crate::root::root;
-use crate::whole::write_whole;
+use crate::repository::root;
+use crate::repository::write_atomically;
 use anyhow::Context;
 use measure::{CONVERGED, Run};
 use models::Model;
@@ -85,12 +85,12 @@ pub fn reproduce(options: &Options) -> anyhow::Result<Reproduction> {
     let folder = root().join("target").join("paper");
     std::fs::create_dir_all(&folder)
         .with_context(|| format!("cannot make {}", folder.display()))?;
-    write_whole(&folder.join("tables.md"), &markdown)?;
-    write_whole(
+    write_atomically(&folder.join("tables.md"), &markdown)?;
+    write_atomically(
         &folder.join("tables.csv"),
         &tables::numbers(&report).to_csv()?,
     )?;
-    write_whole(&folder.join("tables.json"), &json)?;
+    write_atomically(&folder.join("tables.json"), &json)?;
     Ok(Reproduction {
         folder,
         report,

@@ -4,8 +4,8 @@ use super::Outcome;
 use super::cargo::{outcome, succeeds};
 use crate::test;
 use anyhow::Context;
+use curvecrust_lab::output_of;
 use curvecrust_lab::root;
-use curvecrust_lab::said;
 use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
@@ -94,7 +94,7 @@ fn targets() -> anyhow::Result<Vec<String>> {
 
 /// The platform of this compiler.
 fn host() -> anyhow::Result<String> {
-    let text = said("rustc", &["-vV"]).context("cannot run rustc")?;
+    let text = output_of("rustc", &["-vV"]).context("cannot run rustc")?;
     let line = text.lines().find_map(|line| line.strip_prefix("host: "));
     Ok(line.context("rustc names no host")?.to_owned())
 }

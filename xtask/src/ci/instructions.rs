@@ -4,9 +4,9 @@ use super::Outcome;
 use super::cargo::succeeds;
 use crate::test;
 use anyhow::{Context, bail};
+use curvecrust_lab::output_of;
 use curvecrust_lab::root;
-use curvecrust_lab::said;
-use curvecrust_lab::write_whole;
+use curvecrust_lab::write_atomically;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::process::Command;
@@ -44,12 +44,12 @@ pub(super) fn run(renew: bool) -> anyhow::Result<Outcome> {
         ));
     }
     let path = root().join("benches/instructions.toml");
-    let rustc = said("rustc", &["--version"]).context("cannot run rustc")?;
+    let rustc = output_of("rustc", &["--version"]).context("cannot run rustc")?;
     if renew {
         let millions = count_all()?;
         let text = toml::to_string(&Baseline { rustc, millions })?;
         let head = "# Made by `cargo xtask ci instructions --renew-instructions`.\n";
-        write_whole(&path, format!("{head}{text}"))?;
+        write_atomically(&path, format!("{head}{text}"))?;
         return Ok(Outcome::Passed);
     }
     let baseline = std::fs::read_to_string(&path);

@@ -2,7 +2,7 @@
 
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
-use super::scene::{Named, Part, Scene};
+use super::true_curves::{Named, Part, TrueCurves};
 use anyhow::Context;
 use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
@@ -10,8 +10,8 @@ use curvecrust::sampling::{Outliers, with_outliers};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The scenes of named curves: they are measured once.
-pub(super) type Fixtures = BTreeMap<Named, Arc<Scene>>;
+/// The curves of names: they are measured once.
+pub(super) type Fixtures = BTreeMap<Named, Arc<TrueCurves>>;
 
 /// What to run: an input of an experiment at a value of its sweep.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ pub(super) struct Sampled {
 
 /// A job that is ready for its trials.
 pub(super) struct Cell {
-    pub(super) scene: Arc<Scene>,
+    pub(super) curves: Arc<TrueCurves>,
     steps: Vec<Steps>,
     ends: Ends,
     /// In spacings.
@@ -43,7 +43,7 @@ pub(super) struct Cell {
     outliers: f64,
 }
 
-/// How a part of a scene is sampled.
+/// How a part of the curves is sampled.
 enum Steps {
     /// Under a condition.
     Jumps { jumps: Jumps, thinning: f64 },
@@ -86,12 +86,12 @@ impl Job {
         }
     }
 
-    /// Makes the scene ready.
+    /// Makes the curves ready.
     pub(super) fn prepare(&self, fixtures: &Fixtures) -> anyhow::Result<Cell> {
         let x = self.x;
         let over = self.experiment.sweep.over;
-        let closed = |scene: Scene, jitter: f64, start: Start| {
-            Cell::evenly(scene, 1.0, jitter, start, Ends::Unmarked)
+        let closed = |curves: TrueCurves, jitter: f64, start: Start| {
+            Cell::evenly(curves, 1.0, jitter, start, Ends::Unmarked)
         };
         Ok(match &self.input {
             Input::Curves {
@@ -100,8 +100,8 @@ impl Job {
                 ends,
                 ..
             } => {
-                let scene = self.curve.as_ref().and_then(|name| fixtures.get(name));
-                let scene = scene.context("its curve was not measured")?;
+                let curves = self.curve.as_ref().and_then(|name| fixtures.get(name));
+                let curves = curves.context("its curve was not measured")?;
                 let bound = match (over, epsilon) {
                     (Over::Rho, _) => Bound::Rho(x),
                     (_, Some(epsilon)) => Bound::Epsilon(*epsilon),
@@ -112,8 +112,8 @@ impl Job {
                     thinning: *thinning,
                 };
                 Cell {
-                    steps: scene.parts.iter().map(steps).collect(),
-                    scene: Arc::clone(scene),
+                    steps: curves.parts.iter().map(steps).collect(),
+                    curves: Arc::clone(curves),
                     ends: *ends,
                     noise: if over == Over::Noise { x } else { 0.0 },
                     outliers: if over == Over::Outliers { x } else { 0.0 },
@@ -124,20 +124,20 @@ impl Job {
                     Tip::Sampled => Start::Sampled,
                     Tip::Skipped => Start::Skipped,
                 };
-                closed(Scene::teardrop(x), *jitter, start)
+                closed(TrueCurves::teardrop(x), *jitter, start)
             }
             Input::Racetracks { jitter, .. } => {
-                closed(Scene::racetracks(x), *jitter, Start::Random)
+                closed(TrueCurves::racetracks(x), *jitter, Start::Random)
             }
-            Input::Circles { jitter, .. } => closed(Scene::circles(x), *jitter, Start::Random),
+            Input::Circles { jitter, .. } => closed(TrueCurves::circles(x), *jitter, Start::Random),
             Input::Sine { jitter, ends, .. } => {
-                Cell::evenly(Scene::sine(), x, *jitter, Start::Random, *ends)
+                Cell::evenly(TrueCurves::sine(), x, *jitter, Start::Random, *ends)
             }
             Input::Spiral { jitter, ends, .. } => {
-                Cell::evenly(Scene::spiral(), x, *jitter, Start::Random, *ends)
+                Cell::evenly(TrueCurves::spiral(), x, *jitter, Start::Random, *ends)
             }
             Input::Arcs { jitter, ends, .. } => {
-                Cell::evenly(Scene::arcs(), x, *jitter, Start::Random, *ends)
+                Cell::evenly(TrueCurves::arcs(), x, *jitter, Start::Random, *ends)
             }
             Input::Planted { .. } => anyhow::bail!("planted points are for run times only"),
         })
@@ -145,15 +145,15 @@ impl Job {
 }
 
 impl Cell {
-    fn evenly(scene: Scene, spacing: f64, jitter: f64, start: Start, ends: Ends) -> Self {
+    fn evenly(curves: TrueCurves, spacing: f64, jitter: f64, start: Start, ends: Ends) -> Self {
         let steps = || Steps::Lengths {
             spacing,
             jitter,
             start,
         };
         Self {
-            steps: scene.parts.iter().map(|_| steps()).collect(),
-            scene: Arc::new(scene),
+            steps: curves.parts.iter().map(|_| steps()).collect(),
+            curves: Arc::new(curves),
             ends,
             noise: 0.0,
             outliers: 0.0,
@@ -166,7 +166,7 @@ impl Cell {
         let mut points = Vec::new();
         let mut edges = Vec::new();
         let mut termini = Vec::new();
-        for (part, steps) in self.scene.parts.iter().zip(&self.steps) {
+        for (part, steps) in self.curves.parts.iter().zip(&self.steps) {
             let samples = match steps {
                 Steps::Jumps { jumps, thinning } => jumps.sample(*thinning, &mut random),
                 Steps::Lengths {

@@ -1,8 +1,8 @@
 //! Experiments as they stand in `benches/experiments/*.toml`: what each field means.
 
 use super::algorithms;
-use crate::compare::sheet;
-use crate::root::root;
+use crate::compare::results;
+use crate::repository::root;
 use anyhow::{Context, ensure};
 use serde::Deserialize;
 use std::fs;
@@ -247,8 +247,8 @@ impl Experiment {
     }
 
     /// What tables and plots say of it.
-    pub(super) fn described(&self) -> sheet::Experiment {
-        sheet::Experiment {
+    pub(super) fn described(&self) -> results::Experiment {
+        results::Experiment {
             name: self.name.clone(),
             title: self.title.clone(),
             question: self.question.clone(),

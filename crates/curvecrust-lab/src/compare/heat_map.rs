@@ -1,7 +1,7 @@
 //! Algorithms against experiments: the share of trials with exactly the true edges.
 
 use crate::compare::chart::Width;
-use crate::compare::sheet::{Panel, Sheet};
+use crate::compare::results::{ExperimentResults, Panel};
 use crate::drawing::{Within, document, rectangle, text, text_width};
 use crate::table::percent;
 use curvecrust::DVec2;
@@ -19,20 +19,20 @@ pub struct HeatMap {
 impl HeatMap {
     /// The mean over all values of each sweep.
     #[must_use]
-    pub fn new(sheets: &[Sheet], algorithms: &[&str]) -> Self {
-        let panels: Vec<(&Sheet, &Panel)> = sheets
+    pub fn new(results: &[ExperimentResults], algorithms: &[&str]) -> Self {
+        let panels: Vec<(&ExperimentResults, &Panel)> = results
             .iter()
-            .flat_map(|sheet| sheet.panels.iter().map(move |panel| (sheet, panel)))
+            .flat_map(|result| result.panels.iter().map(move |panel| (result, panel)))
             .filter(|(_, panel)| panel.metric == "exact")
             .collect();
-        let column = |&(sheet, panel): &(&Sheet, &Panel)| {
+        let column = |&(result, panel): &(&ExperimentResults, &Panel)| {
             let groups = panels
                 .iter()
-                .filter(|p| p.0.experiment.name == sheet.experiment.name);
+                .filter(|p| p.0.experiment.name == result.experiment.name);
             if groups.count() > 1 {
-                format!("{}: {}", sheet.experiment.name, panel.group)
+                format!("{}: {}", result.experiment.name, panel.group)
             } else {
-                sheet.experiment.name.clone()
+                result.experiment.name.clone()
             }
         };
         let share = |panel: &Panel, algorithm: &str| {

@@ -6,7 +6,7 @@
 //! up to half of the gap to its neighbours, by which its distance may be larger and its local
 //! feature size smaller.
 
-use super::scene::Part;
+use super::true_curves::Part;
 use curvecrust::DVec2;
 use curvecrust::geometry::Random;
 
@@ -189,13 +189,13 @@ fn share(count: usize, share: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::scene::{Named, Scene};
+    use crate::compare::true_curves::{Named, TrueCurves};
 
     #[test]
     fn the_longest_steps_hold_and_longer_ones_do_not() {
-        let scene = Scene::named(&Named::Fixture("teaser".to_owned())).unwrap();
+        let curves = TrueCurves::named(&Named::Fixture("teaser".to_owned())).unwrap();
         for bound in [Bound::Epsilon(0.3), Bound::Rho(0.9), Bound::Rho(1.8)] {
-            let jumps = Jumps::new(&scene.parts[0], bound);
+            let jumps = Jumps::new(&curves.parts[0], bound);
             for (from, &longest) in jumps.longest.iter().enumerate().step_by(37) {
                 assert!(longest == 1 || jumps.holds(from, longest));
                 assert!(longest == jumps.most(from) || !jumps.holds(from, longest + 1));
@@ -206,8 +206,8 @@ mod tests {
     #[test]
     fn samplings_satisfy_their_condition() {
         for name in ["teaser", "wave", "fish"] {
-            let scene = Scene::named(&Named::Fixture(name.to_owned())).unwrap();
-            for part in &scene.parts {
+            let curves = TrueCurves::named(&Named::Fixture(name.to_owned())).unwrap();
+            for part in &curves.parts {
                 let jumps = Jumps::new(part, Bound::Epsilon(0.4));
                 for seed in 0..5 {
                     let samples = jumps.sample(0.5, &mut Random::new(seed));

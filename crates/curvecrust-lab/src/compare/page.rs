@@ -5,7 +5,7 @@
 
 use crate::compare::chart::Width;
 use crate::compare::heat_map::HeatMap;
-use crate::compare::sheet::{Panel, Sheet};
+use crate::compare::results::{ExperimentResults, Panel};
 use crate::compare::tables;
 use crate::drawing::Within;
 use crate::table::BREAK;
@@ -13,8 +13,12 @@ use maud::{Markup, PreEscaped, html};
 
 /// The page; `facts` are shown at its end, such as version and machine.
 #[must_use]
-pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -> String {
-    let map = HeatMap::new(sheets, algorithms);
+pub fn html(
+    results: &[ExperimentResults],
+    algorithms: &[&str],
+    facts: &[(String, String)],
+) -> String {
+    let map = HeatMap::new(results, algorithms);
     let body = html! {
         h1 { "Which algorithm for my points, and where does each one break?" } (BREAK)
         p {
@@ -23,7 +27,7 @@ pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -
              shares and distances are drawn a little apart, so that equal ones can be seen."
         } (BREAK)
         nav { (BREAK)
-            @for Sheet { experiment, .. } in sheets {
+            @for ExperimentResults { experiment, .. } in results {
                 a href={ "#" (experiment.name) } { (experiment.name) } (BREAK)
             }
         } (BREAK)
@@ -35,7 +39,7 @@ pub fn html(sheets: &[Sheet], algorithms: &[&str], facts: &[(String, String)]) -
                 } (BREAK)
             } (BREAK)
         }
-        @for Sheet { experiment, panels } in sheets {
+        @for ExperimentResults { experiment, panels } in results {
             h2 id=(experiment.name) { (experiment.title) } (BREAK)
             p { (experiment.question.trim()) } (BREAK)
             @for panel in panels { (charted(panel, &experiment.sweep)) }

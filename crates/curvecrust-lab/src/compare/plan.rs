@@ -2,7 +2,7 @@
 
 use super::cell::{Fixtures, Job};
 use super::experiment::{self, Choice, Experiment, Input, Kind, Over};
-use super::scene::{self, Named, Scene};
+use super::true_curves::{self, Named, TrueCurves};
 use anyhow::{Context, ensure};
 use curvecrust_testing::fixtures::{CurveEntry, Manifest};
 use rayon::prelude::*;
@@ -171,7 +171,9 @@ pub(super) fn named(manifest: &Manifest, curves: &Choice) -> Vec<Named> {
     };
     if kind == Kind::Authors {
         let models = ["parallel", "teaser", "bunny", "cat"];
-        let fetched = models.iter().filter(|_| scene::authors_curves().is_dir());
+        let fetched = models
+            .iter()
+            .filter(|_| true_curves::authors_curves().is_dir());
         return fetched
             .map(|&name| Named::Authors(name.to_owned()))
             .collect();
@@ -188,9 +190,9 @@ pub(super) fn named(manifest: &Manifest, curves: &Choice) -> Vec<Named> {
 pub(super) fn measured(jobs: &[Job]) -> anyhow::Result<Fixtures> {
     let names: BTreeSet<&Named> = jobs.iter().filter_map(|job| job.curve.as_ref()).collect();
     let names: Vec<&Named> = names.into_iter().collect();
-    let scenes = names.into_par_iter().map(|name| {
-        let scene = Scene::named(name).with_context(|| format!("curve {name}"))?;
-        Ok((name.clone(), Arc::new(scene)))
+    let all = names.into_par_iter().map(|name| {
+        let curves = TrueCurves::named(name).with_context(|| format!("curve {name}"))?;
+        Ok((name.clone(), Arc::new(curves)))
     });
-    scenes.collect()
+    all.collect()
 }

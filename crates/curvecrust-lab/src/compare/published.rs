@@ -6,9 +6,9 @@ use super::records;
 use super::write;
 use crate::compare::cells::Cells;
 use crate::compare::rows::Timing;
-use crate::root::root;
-use crate::said::said;
-use crate::whole::write_whole;
+use crate::repository::output_of;
+use crate::repository::root;
+use crate::repository::write_atomically;
 use anyhow::Context;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -42,7 +42,7 @@ pub(super) struct Run {
 impl Run {
     /// Of this program, here and now.
     pub(super) fn here(experiments: Vec<String>, threads: usize, seconds: Option<f64>) -> Self {
-        let commit = said("git", &["rev-parse", "--short=12", "HEAD"]);
+        let commit = output_of("git", &["rev-parse", "--short=12", "HEAD"]);
         // What an earlier run published is no change of the program.
         let results = format!(":(exclude){FOLDER}");
         let status = [
@@ -53,7 +53,7 @@ impl Run {
             ".",
             &results,
         ];
-        let changed = said("git", &status).is_some();
+        let changed = output_of("git", &status).is_some();
         let commit = commit.map(|c| {
             if changed {
                 format!("{c}, with changes")
@@ -68,7 +68,7 @@ impl Run {
             commit: commit.unwrap_or_else(unknown),
             machine: processor().unwrap_or_else(unknown),
             threads,
-            rust: said("rustc", &["--version"]).unwrap_or_else(unknown),
+            rust: output_of("rustc", &["--version"]).unwrap_or_else(unknown),
             seconds,
         }
     }
@@ -131,12 +131,12 @@ pub(super) fn publish(run: Run, cells: &Cells, times: &[Timing]) -> anyhow::Resu
     }
     runs.run.retain(|run| !run.experiments.is_empty());
     runs.run.push(run);
-    write_whole(&folder.join("run.toml"), toml::to_string(&runs)?)?;
-    write_whole(&folder.join("cells.csv"), all_cells.table().to_csv()?)?;
+    write_atomically(&folder.join("run.toml"), toml::to_string(&runs)?)?;
+    write_atomically(&folder.join("cells.csv"), all_cells.table().to_csv()?)?;
     let times = records::table(&all_times).to_csv()?;
-    write_whole(&folder.join("times.csv"), times)?;
+    write_atomically(&folder.join("times.csv"), times)?;
     for (name, text) in made()? {
-        write_whole(&root().join(name), text)?;
+        write_atomically(&root().join(name), text)?;
     }
     Ok(())
 }

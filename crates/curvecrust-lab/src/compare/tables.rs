@@ -3,22 +3,22 @@
 use serde::Serialize;
 
 use crate::compare::heat_map::HeatMap;
-use crate::compare::sheet::{Answers, Faultless, Panel, Sheet};
+use crate::compare::results::{Answers, ExperimentResults, Faultless, Panel};
 use crate::table::{Field, Section, Table, rounded};
 
 /// All tables: the overview, then every panel of every experiment.
 #[must_use]
-pub fn markdown(sheets: &[Sheet], algorithms: &[&str]) -> String {
-    let mut text = overview(sheets, algorithms);
-    for sheet in sheets {
-        let experiment = &sheet.experiment;
+pub fn markdown(results: &[ExperimentResults], algorithms: &[&str]) -> String {
+    let mut text = overview(results, algorithms);
+    for result in results {
+        let experiment = &result.experiment;
         text += &format!(
             "## {}: {}\n\n{}\n\n",
             experiment.name,
             experiment.title,
             experiment.question.trim()
         );
-        for panel in &sheet.panels {
+        for panel in &result.panels {
             text += &section(panel.title(), panel, &experiment.sweep).to_markdown(3);
         }
     }
@@ -27,8 +27,8 @@ pub fn markdown(sheets: &[Sheet], algorithms: &[&str]) -> String {
 
 /// The share of trials with exactly the true edges, by experiment and algorithm.
 #[must_use]
-pub fn overview(sheets: &[Sheet], algorithms: &[&str]) -> String {
-    let map = HeatMap::new(sheets, algorithms);
+pub fn overview(results: &[ExperimentResults], algorithms: &[&str]) -> String {
+    let map = HeatMap::new(results, algorithms);
     if map.rows.is_empty() {
         return String::new();
     }
@@ -52,13 +52,13 @@ pub fn overview(sheets: &[Sheet], algorithms: &[&str]) -> String {
 /// What matters most of each experiment, by the values of its sweep: the share of trials with exactly
 /// the true edges, run time and memory.
 #[must_use]
-pub fn by_value(sheets: &[Sheet]) -> String {
+pub fn by_value(results: &[ExperimentResults]) -> String {
     let mut text = String::new();
-    for sheet in sheets {
+    for result in results {
         let matters = |panel: &&Panel| matches!(&*panel.metric, "exact" | "run_time" | "memory");
-        for panel in sheet.panels.iter().filter(matters) {
-            let title = format!("{}, {}", sheet.experiment.name, panel.title());
-            text += &section(title, panel, &sheet.experiment.sweep).to_markdown(3);
+        for panel in result.panels.iter().filter(matters) {
+            let title = format!("{}, {}", result.experiment.name, panel.title());
+            text += &section(title, panel, &result.experiment.sweep).to_markdown(3);
         }
     }
     text
@@ -124,17 +124,17 @@ pub fn values(panel: &Panel, sweep: &str) -> Table {
     table
 }
 
-/// The sheets as they are.
+/// The results as they are.
 ///
 /// # Errors
 /// If the JSON writer fails, which it does not in memory.
-pub fn json(sheets: &[Sheet]) -> serde_json::Result<String> {
+pub fn json(results: &[ExperimentResults]) -> serde_json::Result<String> {
     #[derive(Serialize)]
     struct Document<'a> {
-        experiments: &'a [Sheet],
+        experiments: &'a [ExperimentResults],
     }
     let document = Document {
-        experiments: sheets,
+        experiments: results,
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }

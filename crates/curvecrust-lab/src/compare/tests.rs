@@ -4,7 +4,7 @@
 use super::experiment::{Choice, Kind};
 use super::plan::{chosen, named};
 use super::rows::metrics;
-use super::scene::{Named, Scene};
+use super::true_curves::{Named, TrueCurves};
 use super::*;
 use curvecrust_testing::fixtures::Manifest;
 
@@ -146,7 +146,7 @@ fn a_known_answer_that_differs_is_named() {
 fn the_authors_curves_take_part_when_they_are_there() {
     let manifest = Manifest::read().unwrap();
     let names = named(&manifest, &Choice::Kind(Kind::Authors));
-    if !scene::authors_curves().is_dir() {
+    if !true_curves::authors_curves().is_dir() {
         eprintln!("skipped in part: fixtures/paper was not fetched");
         assert!(names.is_empty());
         return;
@@ -157,7 +157,10 @@ fn the_authors_curves_take_part_when_they_are_there() {
         ["paper-parallel", "paper-teaser", "paper-bunny", "paper-cat"]
     );
     for name in names {
-        assert!(!Scene::named(&name).unwrap().parts.is_empty(), "{name}");
+        assert!(
+            !TrueCurves::named(&name).unwrap().parts.is_empty(),
+            "{name}"
+        );
     }
 }
 
@@ -165,13 +168,18 @@ fn the_authors_curves_take_part_when_they_are_there() {
 #[test]
 fn local_feature_sizes_vary_as_the_manifest_says() {
     let extremes = |name: &str| {
-        let scene = Scene::named(&Named::Fixture(name.to_owned())).unwrap();
-        let lfs = || scene.parts.iter().flat_map(|part| part.lfs.iter().copied());
+        let curves = TrueCurves::named(&Named::Fixture(name.to_owned())).unwrap();
+        let lfs = || {
+            curves
+                .parts
+                .iter()
+                .flat_map(|part| part.lfs.iter().copied())
+        };
         let [least, most] = [
             lfs().fold(f64::INFINITY, f64::min),
             lfs().fold(0.0, f64::max),
         ];
-        [least, most].map(|lfs| lfs / scene.reference.extent())
+        [least, most].map(|lfs| lfs / curves.reference.extent())
     };
     let [least, most] = extremes("nautilus");
     println!("nautilus: lfs from {least} to {most} extents");

@@ -2,8 +2,8 @@
 
 use super::algorithms;
 use super::cell::{Fixtures, Job, Sampled};
-use super::scene::Scene;
 use super::seed::seed_of;
+use super::true_curves::TrueCurves;
 use crate::compare::rows::{Row, Timing};
 use curvecrust::evaluate::{Bounds, Evaluation, Kind, Output, Truth};
 use curvecrust::geometry::EdgeSet;
@@ -62,7 +62,7 @@ pub(super) fn run(
                     let seconds = start.elapsed().as_secs_f64();
                     match edges {
                         Ok(edges) => {
-                            row.values = values(sampled, &cell.scene, edges, &mut known);
+                            row.values = values(sampled, &cell.curves, edges, &mut known);
                             done.times.push(timing(&row, seconds));
                         }
                         Err(error) => row.error = Some(error.to_string()),
@@ -88,7 +88,7 @@ fn reconstructed(algorithm: &dyn Reconstructor, sampled: &Sampled) -> anyhow::Re
 /// The values of all metrics; edges that another algorithm found too are not measured twice.
 fn values(
     sampled: &Sampled,
-    scene: &Scene,
+    curves: &TrueCurves,
     edges: EdgeSet,
     known: &mut Vec<(EdgeSet, Vec<Option<Bounds>>)>,
 ) -> Vec<Option<Bounds>> {
@@ -96,7 +96,7 @@ fn values(
         return values.clone();
     }
     let truth = Truth {
-        curve: &scene.reference,
+        curve: &curves.reference,
         boundary: &sampled.boundary,
     };
     let output = Output {

@@ -5,12 +5,12 @@ use super::experiment::Experiment;
 use crate::compare::cells::Cells;
 use crate::compare::chart::Width;
 use crate::compare::heat_map::HeatMap;
+use crate::compare::results::ExperimentResults;
 use crate::compare::rows::Timing;
-use crate::compare::sheet::Sheet;
 use crate::compare::{page, tables};
 use crate::drawing::Within;
 use crate::png::Rasteriser;
-use crate::whole::write_whole;
+use crate::repository::write_atomically;
 use anyhow::Context;
 use rayon::prelude::*;
 use std::fs;
@@ -18,7 +18,7 @@ use std::path::Path;
 
 /// What experiments answered, and the algorithms that took part in the order of their list.
 pub(super) struct Answered {
-    pub(super) sheets: Vec<Sheet>,
+    pub(super) results: Vec<ExperimentResults>,
     pub(super) algorithms: Vec<&'static str>,
 }
 
@@ -30,42 +30,51 @@ pub(super) fn answered(experiments: &[Experiment], cells: &Cells, times: &[Timin
         cells.all().iter().any(|cell| cell.algorithm == *name)
             || times.iter().any(|timing| timing.algorithm == *name)
     });
-    let sheets: Vec<Sheet> = experiments
+    let results: Vec<ExperimentResults> = experiments
         .iter()
-        .map(|experiment| Sheet::new(experiment.described(), cells, times, &algorithms))
-        .filter(|sheet| !sheet.panels.is_empty())
+        .map(|experiment| ExperimentResults::new(experiment.described(), cells, times, &algorithms))
+        .filter(|result| !result.panels.is_empty())
         .collect();
-    Answered { sheets, algorithms }
+    Answered {
+        results,
+        algorithms,
+    }
 }
 
 /// The texts made of answers: their names, and what is in them.
 pub(super) fn texts(
-    Answered { sheets, algorithms }: &Answered,
+    Answered {
+        results,
+        algorithms,
+    }: &Answered,
     facts: &[(String, String)],
 ) -> anyhow::Result<Vec<(String, String)>> {
     let mut texts = vec![
-        ("tables.md".to_owned(), tables::markdown(sheets, algorithms)),
-        ("tables.json".to_owned(), tables::json(sheets)?),
+        (
+            "tables.md".to_owned(),
+            tables::markdown(results, algorithms),
+        ),
+        ("tables.json".to_owned(), tables::json(results)?),
         (
             "index.html".to_owned(),
-            page::html(sheets, algorithms, facts),
+            page::html(results, algorithms, facts),
         ),
     ];
-    let map = HeatMap::new(sheets, algorithms);
+    let map = HeatMap::new(results, algorithms);
     if !map.rows.is_empty() {
         texts.push((
             "plots/overview.svg".to_owned(),
             map.to_svg(Width::Wide, Within::File),
         ));
     }
-    for sheet in sheets {
-        let groups: Vec<&str> = sheet
+    for result in results {
+        let groups: Vec<&str> = result
             .panels
             .iter()
             .map(|panel| panel.group.as_str())
             .collect();
         let one_group = groups.iter().all(|group| Some(group) == groups.first());
-        for panel in &sheet.panels {
+        for panel in &result.panels {
             let group = if one_group {
                 String::new()
             } else {
@@ -76,9 +85,9 @@ pub(super) fn texts(
             };
             let name = format!(
                 "plots/{}{group}-{}.svg",
-                sheet.experiment.name, panel.metric
+                result.experiment.name, panel.metric
             );
-            let chart = panel.chart(&sheet.experiment.sweep);
+            let chart = panel.chart(&result.experiment.sweep);
             texts.push((name, chart.to_svg(Width::Wide, Within::File)));
         }
     }
@@ -93,12 +102,12 @@ pub(super) fn write(folder: &Path, texts: &[(String, String)]) -> anyhow::Result
     }
     fs::create_dir_all(&plots).with_context(|| format!("cannot make {}", plots.display()))?;
     for (name, text) in texts {
-        write_whole(&folder.join(name), text)?;
+        write_atomically(&folder.join(name), text)?;
     }
     let rasteriser = Rasteriser::new();
     let plots = texts.par_iter().filter(|(name, _)| name.ends_with(".svg"));
     plots.try_for_each(|(name, text)| {
         let picture = rasteriser.png(text).with_context(|| name.clone())?;
-        write_whole(&folder.join(name).with_extension("png"), picture)
+        write_atomically(&folder.join(name).with_extension("png"), picture)
     })
 }

@@ -12,7 +12,7 @@ use super::models::Model;
 use super::page::{self, Exhibit};
 use super::rows::PaperReport;
 use crate::png;
-use crate::whole::write_whole;
+use crate::repository::write_atomically;
 use curvecrust::geometry::{EdgeSet, PointSet, Segment};
 use std::path::Path;
 
@@ -39,10 +39,10 @@ pub(super) fn write(report: &PaperReport, models: &[Model], folder: &Path) -> an
     for exhibit in &figures {
         let svg = exhibit.figure.to_svg();
         let name = format!("figure-{}", exhibit.number);
-        write_whole(&folder.join(format!("{name}.png")), rasteriser.png(&svg)?)?;
-        write_whole(&folder.join(format!("{name}.svg")), svg)?;
+        write_atomically(&folder.join(format!("{name}.png")), rasteriser.png(&svg)?)?;
+        write_atomically(&folder.join(format!("{name}.svg")), svg)?;
     }
-    write_whole(&folder.join("report.html"), page::page(report, &figures))
+    write_atomically(&folder.join("report.html"), page::page(report, &figures))
 }
 
 /// Where the edges run.

@@ -1,7 +1,7 @@
 //! The four curves of the paper's tables: the authors', if they were fetched, or our own.
 
 use super::rows::CurveOrigin;
-use crate::root::root;
+use crate::repository::root;
 use anyhow::{Context, ensure};
 use curvecrust::curve::Curve;
 use std::path::Path;

@@ -7,7 +7,7 @@ use super::measure::{self, Points, Run};
 use super::models::{self, Model};
 use super::rows::{CurveOrigin, PaperReport};
 use super::{published, tables};
-use crate::root::root;
+use crate::repository::root;
 use std::path::PathBuf;
 
 const PAPER: [Run; 2] = [

@@ -3,7 +3,7 @@
 use super::edges;
 use crate::figure::{Figure, Layer, Panel};
 use crate::paper::page::Exhibit;
-use crate::root::root;
+use crate::repository::root;
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::geometry::{EdgeSet, PointId, PointSet};

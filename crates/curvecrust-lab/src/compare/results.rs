@@ -24,7 +24,7 @@ pub struct Experiment {
 
 /// An experiment and its answers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Sheet {
+pub struct ExperimentResults {
     /// The experiment.
     pub experiment: Experiment,
     /// The panels, by group of inputs, then by metric.
@@ -70,7 +70,7 @@ pub struct Answer {
     pub high: f64,
 }
 
-impl Sheet {
+impl ExperimentResults {
     /// Collects the answers to an experiment; `algorithms` are all there are, in their order.
     #[must_use]
     pub fn new(

@@ -1,7 +1,7 @@
 //! The true curves of a cell: dense points in order, and what outputs are measured against.
 
 use super::fourier;
-use crate::root::root;
+use crate::repository::root;
 use anyhow::Context;
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
@@ -14,12 +14,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Curves as dense points, one part after the other.
-pub(super) struct Scene {
+pub(super) struct TrueCurves {
     pub(super) parts: Vec<Part>,
     pub(super) reference: Reference,
 }
 
-/// A part of a scene.
+/// A part of the curves.
 pub(super) struct Part {
     pub(super) points: Vec<DVec2>,
     pub(super) closed: bool,
@@ -58,7 +58,7 @@ const GAP_TO_LFS: f64 = 0.02;
 /// How far chords may be from the curve that they stand for, in extents.
 const FLATNESS: f64 = 2e-4;
 
-impl Scene {
+impl TrueCurves {
     /// A curve with its local feature size.
     pub(super) fn named(name: &Named) -> anyhow::Result<Self> {
         let curve = match name {
@@ -169,7 +169,7 @@ impl Scene {
     }
 }
 
-/// The centres of the half circles of [`Scene::arcs`].
+/// The centres of the half circles of [`TrueCurves::arcs`].
 pub(crate) const TILES: [(f64, f64); 5] = [
     (0.0, 0.0),
     (8.0, 0.7),
