@@ -2,7 +2,7 @@
 
 use crate::component::Component;
 use crate::edge_set::{Edge, EdgeSet};
-use crate::point_set::PointId;
+use crate::point_id::PointId;
 
 /// A maximal path of an edge set whose inner vertices have degree 2, or a ring of such vertices.
 ///
@@ -20,6 +20,12 @@ pub struct Chain {
 }
 
 impl Chain {
+    /// A chain as data has it.
+    #[cfg(feature = "serde")]
+    pub(crate) fn of(vertices: Vec<PointId>, closed: bool) -> Self {
+        Self { vertices, closed }
+    }
+
     /// The vertices in order along the chain.
     #[must_use]
     pub fn vertices(&self) -> &[PointId] {
@@ -60,6 +66,18 @@ impl Chain {
     }
 }
 
+impl AsRef<[PointId]> for Chain {
+    fn as_ref(&self) -> &[PointId] {
+        &self.vertices
+    }
+}
+
+impl From<Chain> for Vec<PointId> {
+    fn from(chain: Chain) -> Self {
+        chain.vertices
+    }
+}
+
 /// Neighbours of every vertex in one array: those of `v` are `targets[first[v]..first[v + 1]]`.
 struct Adjacency {
     first: Vec<usize>,
@@ -68,7 +86,8 @@ struct Adjacency {
 
 impl Adjacency {
     fn new(set: &EdgeSet) -> Self {
-        // Behind each vertex v, at v + 1, where its neighbours start, and as they come in, where they end.
+        // Behind each vertex v, at v + 1, where its neighbours start, and as they come in, where
+        // they end.
         let mut first = vec![0; set.vertex_count() + 2];
         for end in set.edges().iter().flat_map(|e| e.ends()) {
             first[end.index() + 2] += 1;

@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use crate::edge_set::Edge;
-use crate::point_set::PointId;
+use crate::point_id::PointId;
 
-/// Consecutive indices of points in order along a curve; in a closed one the first follows the last, and
-/// is not repeated.
+/// Consecutive indices of points in order along a curve; in a closed one the first follows the
+/// last, and is not repeated.
 ///
 /// ```
 /// use curvecrust_geometry::Component;
@@ -19,6 +19,7 @@ use crate::point_set::PointId;
 /// assert_eq!(path.pairs().collect::<Vec<_>>(), [(4, 5), (5, 6)]);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Component {
     /// The indices, in order along the curve.
     pub range: Range<usize>,
@@ -45,8 +46,8 @@ impl Component {
         self.range.contains(&index)
     }
 
-    /// The point after one of the component; `None` at an open end. The only point of a closed component
-    /// follows itself.
+    /// The point after one of the component; `None` at an open end. The only point of a closed
+    /// component follows itself.
     #[must_use]
     pub fn next(&self, index: usize) -> Option<usize> {
         if index + 1 < self.range.end {
@@ -66,13 +67,15 @@ impl Component {
         }
     }
 
-    /// How many pairs of consecutive points there are: the point after the last counts if it is closed.
+    /// How many pairs of consecutive points there are: the point after the last counts if it is
+    /// closed.
     #[must_use]
     pub fn pair_count(&self) -> usize {
         self.len().saturating_sub(usize::from(!self.closed))
     }
 
-    /// Each point with the next, in order; the last pair of a closed component leads back to its first point.
+    /// Each point with the next, in order; the last pair of a closed component leads back to its
+    /// first point.
     #[must_use]
     pub fn pairs(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + Clone + use<> {
         let Range { start, end } = self.range;
@@ -81,14 +84,16 @@ impl Component {
         firsts.map(move |index| (index, next(index)))
     }
 
-    /// The edges between consecutive points, in order. One of a closed component of two points is there twice; a
-    /// component of one point has none. Points beyond the last [`PointId`] have none.
+    /// The edges between consecutive points, in order. One of a closed component of two points is
+    /// there twice; a component of one point has none. Points beyond the last [`PointId`] have
+    /// none.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + Clone + use<> {
         self.pairs()
             .filter_map(|(p, q)| Edge::new(PointId::new(p)?, PointId::new(q)?))
     }
 
-    /// The point that is `steps` after one of the component, at most a round ahead if that is closed.
+    /// The point that is `steps` after one of the component, at most a round ahead if that is
+    /// closed.
     ///
     /// Behind the last point of an open component it is the index that a point would have there.
     #[must_use]
@@ -101,8 +106,8 @@ impl Component {
         }
     }
 
-    /// How many steps lead from one point on to another, which comes after it or, in a closed component,
-    /// anywhere: from a point to itself it is a whole round.
+    /// How many steps lead from one point on to another, which comes after it or, in a closed
+    /// component, anywhere: from a point to itself it is a whole round.
     #[must_use]
     pub fn steps(&self, from: usize, to: usize) -> usize {
         if to > from {

@@ -1,6 +1,8 @@
 //! Undirected edges between the points of a set, in canonical order.
 
-use crate::point_set::PointId;
+use std::fmt;
+
+use crate::point_id::PointId;
 
 /// An undirected edge; `a() < b()`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,6 +37,18 @@ impl Edge {
     #[must_use]
     pub fn ends(self) -> [PointId; 2] {
         [self.a, self.b]
+    }
+}
+
+impl From<Edge> for [PointId; 2] {
+    fn from(edge: Edge) -> Self {
+        edge.ends()
+    }
+}
+
+impl fmt::Display for Edge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.a, self.b)
     }
 }
 
@@ -149,6 +163,37 @@ impl EdgeSet {
             .filter(|&(_, degree)| wanted(degree))
             .map(|(vertex, _)| PointId::from(vertex))
             .collect()
+    }
+}
+
+/// As many vertices as the ends of the edges need.
+impl FromIterator<Edge> for EdgeSet {
+    fn from_iter<I: IntoIterator<Item = Edge>>(edges: I) -> Self {
+        Self::new(0, edges)
+    }
+}
+
+impl AsRef<[Edge]> for EdgeSet {
+    fn as_ref(&self) -> &[Edge] {
+        &self.edges
+    }
+}
+
+impl<'a> IntoIterator for &'a EdgeSet {
+    type Item = &'a Edge;
+    type IntoIter = std::slice::Iter<'a, Edge>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.edges.iter()
+    }
+}
+
+impl IntoIterator for EdgeSet {
+    type Item = Edge;
+    type IntoIter = std::vec::IntoIter<Edge>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.edges.into_iter()
     }
 }
 

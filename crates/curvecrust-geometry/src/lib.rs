@@ -1,8 +1,9 @@
-//! The vocabulary of curvecrust: what every other crate speaks, and no algorithm of its own.
+//! The types that all crates of curvecrust share: points, edges, chains, and exact predicates.
 //!
 //! | module | types | what they promise |
 //! |---|---|---|
-//! | [`point_set`] | [`PointSet`], [`PointId`], [`MergedPoints`] | finite, distinct points that exact predicates can carry |
+//! | [`point_set`] | [`PointSet`], [`MergedPoints`] | finite, distinct points that exact predicates can carry |
+//! | [`point_id`] | [`PointId`] | the index of a point in its set |
 //! | [`edge_set`] | [`EdgeSet`], [`Edge`] | sorted, unique, undirected edges |
 //! | [`component`] | [`Component`] | points in order along a curve that is open or closed |
 //! | [`chains`] | [`Chain`] | maximal paths and rings that cover every edge once |
@@ -15,11 +16,18 @@
 //! | [`random`] | [`Random`] | seeded numbers, the same on every machine |
 //!
 //! Points are [`glam::DVec2`]; [`glam`] is re-exported, so that a user has the same version of it.
+//!
+//! # Features
+//! Both are off by default: `serde` reads and writes the types as data, and checks what it reads;
+//! `mint` lets glam take points and vectors of mint 0.5, and [`PointSet::from_points`] with it.
 
 pub mod chains;
 pub mod component;
+#[cfg(feature = "serde")]
+mod data;
 pub mod edge_set;
 mod hilbert;
+pub mod point_id;
 pub mod point_set;
 pub mod predicates;
 pub mod progress;
@@ -33,7 +41,8 @@ pub use chains::Chain;
 pub use component::Component;
 pub use edge_set::{Edge, EdgeSet};
 pub use glam::{self, DVec2};
-pub use point_set::{MergedPoints, PointId, PointSet, PointSetError};
+pub use point_id::PointId;
+pub use point_set::{MergedPoints, PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use progress::Progress;
 pub use random::Random;

@@ -6,38 +6,7 @@ use std::ops::Index;
 use glam::DVec2;
 use thiserror::Error;
 
-/// Index of a point in its [`PointSet`], and of the vertex of the same name in an edge set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct PointId(u32);
-
-impl PointId {
-    /// The id of the point at `index`; `None` past the 2^32 - 1 points that a set can hold.
-    #[must_use]
-    pub fn new(index: usize) -> Option<Self> {
-        u32::try_from(index)
-            .ok()
-            .filter(|&i| i < u32::MAX)
-            .map(Self)
-    }
-
-    /// The position of the point in its set.
-    #[must_use]
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-impl From<u32> for PointId {
-    fn from(index: u32) -> Self {
-        Self(index)
-    }
-}
-
-impl From<PointId> for u32 {
-    fn from(id: PointId) -> Self {
-        id.0
-    }
-}
+use crate::point_id::PointId;
 
 /// Finite, pairwise distinct points of the plane, in the caller's order.
 ///
@@ -63,6 +32,7 @@ pub struct PointSet {
 
 /// A [`PointSet`] without the duplicates of its input, and where each input point went.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct MergedPoints {
     /// The distinct points, in the order of their first appearance.
     pub points: PointSet,
@@ -161,6 +131,24 @@ impl PointSet {
         Ok(Self { points })
     }
 
+    /// Takes anything that iterates over arrays or pairs of f64, or over vectors of glam.
+    ///
+    /// ```
+    /// use curvecrust_geometry::PointSet;
+    ///
+    /// let points = PointSet::from_points([[0.0, 0.0], [1.0, 0.0]])?;
+    /// assert_eq!(points, PointSet::from_points(vec![(0.0, 0.0), (1.0, 0.0)])?);
+    /// # Ok::<(), curvecrust_geometry::PointSetError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn from_points<P: Into<DVec2>>(
+        points: impl IntoIterator<Item = P>,
+    ) -> Result<Self, PointSetError> {
+        Self::new(points.into_iter().map(Into::into).collect())
+    }
+
     /// Takes points among which some may be equal: each group is represented by its first member.
     ///
     /// ```
@@ -230,6 +218,44 @@ impl Index<PointId> for PointSet {
     }
 }
 
+impl TryFrom<Vec<DVec2>> for PointSet {
+    type Error = PointSetError;
+
+    fn try_from(points: Vec<DVec2>) -> Result<Self, PointSetError> {
+        Self::new(points)
+    }
+}
+
+impl From<PointSet> for Vec<DVec2> {
+    fn from(set: PointSet) -> Self {
+        set.points
+    }
+}
+
+impl AsRef<[DVec2]> for PointSet {
+    fn as_ref(&self) -> &[DVec2] {
+        &self.points
+    }
+}
+
+impl<'a> IntoIterator for &'a PointSet {
+    type Item = &'a DVec2;
+    type IntoIter = std::slice::Iter<'a, DVec2>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.points.iter()
+    }
+}
+
+impl IntoIterator for PointSet {
+    type Item = DVec2;
+    type IntoIter = std::vec::IntoIter<DVec2>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.points.into_iter()
+    }
+}
+
 /// Orders points by x, then y: the order by which ties are broken.
 #[must_use]
 pub fn by_coordinates(a: DVec2, b: DVec2) -> Ordering {
@@ -241,7 +267,7 @@ pub fn by_coordinates(a: DVec2, b: DVec2) -> Ordering {
     reason = "validate() bounds the count"
 )]
 fn id_of(index: usize) -> PointId {
-    PointId(index as u32)
+    PointId::from(index as u32)
 }
 
 fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
@@ -269,7 +295,11 @@ fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
 
 /// For every point that equals an earlier one: the first index of its group, and its own.
 fn duplicates(points: &[DVec2]) -> Vec<(usize, usize)> {
-    let mut order: Vec<u32> = points.iter().enumerate().map(|(i, _)| id_of(i).0).collect();
+    let mut order: Vec<u32> = points
+        .iter()
+        .enumerate()
+        .map(|(i, _)| id_of(i).into())
+        .collect();
     order.sort_unstable_by(|&a, &b| {
         by_coordinates(points[a as usize], points[b as usize]).then(a.cmp(&b))
     });

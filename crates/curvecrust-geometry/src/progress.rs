@@ -1,11 +1,11 @@
-//! How long tasks say how far they are.
+//! How far a long task is.
 
 use std::fmt;
 
 /// A listener to a long task: it hears how much is done, and of how much.
 ///
-/// What is counted is up to the task; the total may change while the task learns how much there is to
-/// do. The default hears nothing. A listener changes no result.
+/// What is counted is up to the task; the total may change while the task learns how much there is
+/// to do. The default hears nothing. A listener changes no result.
 ///
 /// ```
 /// use curvecrust_geometry::Progress;

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 /// The straight segment between two points, which may coincide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment {
     /// Its start.
     pub a: DVec2,

@@ -6,9 +6,9 @@ use crate::segment::Segment;
 
 /// Segments in a balanced tree of boxes, for nearest-segment queries.
 ///
-/// Built by halving at the median midpoint, so that neither uneven density nor segments that run far
-/// out unbalance it: O(n log n), and several times faster than an R*-tree to build and to ask. The
-/// boxes lie along the segments in them.
+/// Built by halving at the median midpoint, so that neither uneven density nor segments that run
+/// far out unbalance it: O(n log n), and several times faster than an R*-tree to build and to ask.
+/// The boxes lie along the segments in them.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, Segment, SegmentTree};
@@ -28,7 +28,7 @@ pub struct SegmentTree {
     boxes: Vec<Rectangle>,
 }
 
-/// The segments of a node are halved until they are at most so many.
+/// The most segments of a node that is not halved.
 const LEAF: usize = 8;
 
 /// A rectangle in any direction. Pieces of smooth curves fill long thin ones, which keep clear of

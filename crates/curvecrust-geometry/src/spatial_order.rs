@@ -5,7 +5,8 @@ use rayon::prelude::*;
 use rdst::{RadixKey, RadixSort};
 
 use crate::hilbert;
-use crate::point_set::{PointId, PointSet, by_coordinates};
+use crate::point_id::PointId;
+use crate::point_set::{PointSet, by_coordinates};
 
 /// Points that may share a cell of the grid; more of them get a grid of their own.
 const CROWD: usize = 24;
@@ -13,16 +14,16 @@ const CROWD: usize = 24;
 /// Below this many points a task is not divided among threads.
 const TASK: usize = 1 << 14;
 
-/// The points along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding box: every id
-/// once.
+/// The points along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding box: every
+/// id once.
 ///
 /// The points of a crowded cell are ordered in the same way on a grid over theirs, those that share
 /// one otherwise by coordinates. So the order depends on the coordinates alone, not on that of the
 /// points nor on the number of threads, and not on a scale by a power of two or an exact shift.
 ///
-/// Cost: O(n), that of a radix sort of numbers of 64 bits by their upper halves. Every grid separates
-/// the two extreme points of its cell and is 2^16 times as fine as the last; the range of coordinates
-/// bounds the depth to 25.
+/// Cost: O(n), that of a radix sort of numbers of 64 bits by their upper halves. Every grid
+/// separates the two extreme points of its cell and is 2^16 times as fine as the last; the range of
+/// coordinates bounds the depth to 25.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet, hilbert_order};
@@ -52,8 +53,8 @@ pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
         .collect()
 }
 
-/// The points along the Hilbert curve as a set of their own, and the id that each has in `points`: what
-/// goes from neighbour to neighbour has them close in memory.
+/// The points along the Hilbert curve as a set of their own, and the id that each has in `points`:
+/// what goes from neighbour to neighbour has them close in memory.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet, in_hilbert_order};
