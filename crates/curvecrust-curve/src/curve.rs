@@ -26,7 +26,8 @@ pub struct CurveParam {
 ///
 /// # Guarantees
 /// - There is at least one component, and each has positive length.
-/// - Every coordinate of a control point is finite, and within [`PointSet::MAX_MAGNITUDE`] as given.
+/// - Every coordinate of a control point is finite, and within [`PointSet::MAX_MAGNITUDE`] as
+///   given.
 /// - No segment is a single point; each starts where the one before it ends, and the last of a
 ///   closed component ends where the first starts.
 /// - The tangent is continuous: it is the same on both sides of every join (up to rounding), and no
@@ -39,7 +40,8 @@ pub struct CurveParam {
 /// taken away: both handles are turned to their mean direction, with their lengths and all end
 /// points kept. Else the medial axis would grow a branch into each tiny corner, and the local
 /// feature size would go to zero there, the more so the finer the discretisation. A handle of
-/// length zero has no direction of its own; its segment stays, and the other one takes the whole turn.
+/// length zero has no direction of its own; its segment stays, and the other one takes the whole
+/// turn.
 ///
 /// ```
 /// use curvecrust_curve::{Curve, CurveError};
@@ -60,13 +62,13 @@ pub struct Curve {
 impl Curve {
     /// Takes components in their order, checks them and makes their joins exactly smooth.
     ///
-    /// Segments without length are left out, coordinates below [`PointSet::MIN_MAGNITUDE`] are taken
-    /// as 0, and straight segments without handles get those of [`CubicBezier::line`].
+    /// Segments without length are left out, coordinates below [`PointSet::MIN_MAGNITUDE`] are
+    /// taken as 0, and straight segments without handles get those of [`CubicBezier::line`].
     ///
     /// # Errors
     /// The first component, in it the first segment or join, that breaks a guarantee;
-    /// [`CurveError::Empty`]; or, if all else is well, [`CurveError::Corners`] with every corner, which
-    /// [`SplitCurve`](crate::SplitCurve) takes.
+    /// [`CurveError::Empty`]; or, if all else is well, [`CurveError::Corners`] with every corner,
+    /// which [`SplitCurve`](crate::SplitCurve) takes.
     pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
         if corners.is_empty() {
@@ -101,8 +103,9 @@ impl Curve {
     /// See [`svg`] for what is read and how exactly, and what is refused.
     ///
     /// # Errors
-    /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what [`Curve::new`]
-    /// finds, or any of these as [`CurveError::InElement`] where one element is at fault.
+    /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what
+    /// [`Curve::new`] finds, or any of these as [`CurveError::InElement`] where one element is at
+    /// fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
         svg::parse(document, Self::new)
     }

@@ -65,11 +65,11 @@ impl DenseCurve {
         })
     }
 
-    /// A fixed number of points per cubic segment, at t = i/n for i = 0 .. n-1, and the end point of an
-    /// open component.
+    /// A fixed number of points per cubic segment, at t = i/n for i = 0 .. n-1, and the end point
+    /// of an open component.
     ///
-    /// The paper (SGP 2016, Section 8.2) subsamples cubic Béziers very densely, without a number; the
-    /// program of its authors takes 300 points a segment.
+    /// The paper (SGP 2016, Section 8.2) subsamples cubic Béziers very densely, without a number;
+    /// the program of its authors takes 300 points a segment.
     ///
     /// # Errors
     /// If n is 0, or the points would be more than [`DENSE_LIMIT`].

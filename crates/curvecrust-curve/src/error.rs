@@ -159,11 +159,12 @@ pub enum CurveError {
     },
 }
 
-/// So many corners are named in a message.
+/// How many corners a message names.
 const NAMED: usize = 100;
 
 /// Where two segments meet at an angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Corner {
     /// Index of the component.
     pub component: usize,
@@ -267,7 +268,8 @@ pub enum DenseError {
         /// The point.
         at: DVec2,
     },
-    /// Component ranges do not follow each other without gaps, are empty, or do not cover all points.
+    /// Component ranges do not follow each other without gaps, are empty, or do not cover all
+    /// points.
     #[error("component {component} does not start where the one before it ends, or holds no point")]
     Range {
         /// Index of the component, or the number of components if points are left over.

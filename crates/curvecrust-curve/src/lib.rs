@@ -1,6 +1,7 @@
 //! Smooth plane curves as chains of cubic Béziers, from SVG or analytic, and their discretisation.
 //!
-//! The ground truth of curvecrust: what is sampled, and what a reconstruction is judged by.
+//! These curves are the ground truth: samples are taken from them, and reconstructions are compared
+//! with them.
 //!
 //! | module | types | what they promise |
 //! |---|---|---|

@@ -129,7 +129,8 @@ fn give_handles_to_straight(bezier: &mut CubicBezier) {
     }
 }
 
-/// The direction that both handles at a join can take: the mean, or that of the one that cannot turn.
+/// The direction that both handles at a join can take: the mean, or that of the one that cannot
+/// turn.
 fn common_direction(incoming: &CubicBezier, outgoing: &CubicBezier) -> Option<DVec2> {
     let into = incoming.end_handle().normalize_or_zero();
     let out = outgoing.start_handle().normalize_or_zero();

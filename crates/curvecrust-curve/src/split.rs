@@ -1,7 +1,7 @@
 //! Curves with corners, split there into smooth pieces.
 //!
-//! A curve with a corner has local feature size 0 there, and no finite sampling. Its pieces are smooth
-//! curves each, which meet at their ends.
+//! A curve with a corner has local feature size 0 there, and no finite sampling. Its pieces are
+//! smooth curves each, which meet at their ends.
 
 use curvecrust_geometry::Component;
 use glam::DVec2;
@@ -15,10 +15,10 @@ use crate::{path_data, svg};
 /// Curves that may have corners, as smooth pieces.
 ///
 /// # Guarantees
-/// - The pieces are smooth as a [`Curve`] is. A component without a corner is one piece; of the others, each
-///   piece starts where the one before it ends, bit by bit.
-/// - A closed component with corners has three pieces at least: one with a single corner, or two, is cut
-///   again where pieces have half of their length, into four.
+/// - The pieces are smooth as a [`Curve`] is. A component without a corner is one piece; of the
+///   others, each piece starts where the one before it ends, bit by bit.
+/// - A closed component with corners has three pieces at least: one with a single corner, or two,
+///   is cut again where pieces have half of their length, into four.
 ///
 /// ```
 /// use curvecrust_curve::SplitCurve;
@@ -39,8 +39,9 @@ impl SplitCurve {
     /// Splits components at their corners.
     ///
     /// # Errors
-    /// Those of [`Curve::new`] other than [`CurveError::Corners`]. A cusp inside a segment stays an error: the
-    /// radius of curvature goes to 0 towards it, and with it the local feature size of the pieces.
+    /// Those of [`Curve::new`] other than [`CurveError::Corners`]. A cusp inside a segment stays an
+    /// error: the radius of curvature goes to 0 towards it, and with it the local feature size of
+    /// the pieces.
     pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
         let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
@@ -86,7 +87,8 @@ impl SplitCurve {
         &self.pieces
     }
 
-    /// The components, in the order in which they were given: each is the range of its pieces, in order along it.
+    /// The components, in the order in which they were given: each is the range of its pieces, in
+    /// order along it.
     #[must_use]
     pub fn components(&self) -> &[Component] {
         &self.components
@@ -104,8 +106,8 @@ impl SplitCurve {
         self.components.iter().find(|c| c.contains(piece))
     }
 
-    /// What is smooth by itself: the components without a corner, all together, and each piece of the others;
-    /// each part with the indices of its pieces.
+    /// What is smooth by itself: the components without a corner, all together, and each piece of
+    /// the others; each part with the indices of its pieces.
     #[must_use]
     pub fn smooth_parts(&self) -> Vec<(Vec<usize>, Curve)> {
         let (whole, cut): (Vec<_>, Vec<_>) = self
@@ -128,8 +130,8 @@ impl SplitCurve {
         parts.map(with_curve).collect()
     }
 
-    /// Where a piece meets others of its component: at its start, at its end, each with the index of the
-    /// piece there.
+    /// Where a piece meets others of its component: at its start, at its end, each with the index
+    /// of the piece there.
     #[must_use]
     pub fn meetings(&self, piece: usize) -> [Option<(usize, DVec2)>; 2] {
         let Some(component) = self.component_of(piece) else {
@@ -171,8 +173,8 @@ fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<BezierPa
     open.collect()
 }
 
-/// A chain of segments in two, cut in the middle of the segment that has half of the length before it, by the
-/// lengths of control polygons.
+/// A chain of segments in two, cut in the middle of the segment that has half of the length before
+/// it, by the lengths of control polygons.
 fn halves(segments: &[CubicBezier]) -> [Vec<CubicBezier>; 2] {
     let length = |s: &CubicBezier| s.arms().iter().map(|arm| arm.length()).sum::<f64>();
     let half = segments.iter().map(length).sum::<f64>() / 2.0;

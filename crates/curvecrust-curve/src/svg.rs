@@ -16,8 +16,8 @@
 //!   images. No file is ever opened.
 //! - **Refused** is what usvg would leave out or misplace without saying so: attributes that are
 //!   malformed or out of range, geometry in CSS, references to nothing.
-//! - **Bounded**, for documents that nobody vouches for: the [`expansion`] of entities, levels of elements,
-//!   elements and segments drawn. Nothing outside of the document is ever read.
+//! - **Bounded**, for documents that nobody vouches for: the [`expansion`] of entities, levels of
+//!   elements, elements and segments drawn. Nothing outside of the document is ever read.
 
 mod entities;
 mod strict;
@@ -46,9 +46,9 @@ const MAX_SEGMENTS: usize = DENSE_LIMIT;
 
 /// Lets usvg keep every shape, whatever its paint, and add none.
 ///
-/// A sheet that is injected comes before all others, and of two `!important` declarations usvg keeps
-/// the first. The background makes it put what is drawn into one group, which has the transform of
-/// the root element to the page; as it has no stroke, it is told from the shapes.
+/// A sheet that is injected comes before all others, and of two `!important` declarations usvg
+/// keeps the first. The background makes it put what is drawn into one group, which has the
+/// transform of the root element to the page; as it has no stroke, it is told from the shapes.
 const SHOW_SHAPES: &str = "* {
     fill: none !important; stroke: black !important; stroke-width: 1 !important;
     stroke-dasharray: none !important; stroke-opacity: 1 !important; opacity: 1 !important;

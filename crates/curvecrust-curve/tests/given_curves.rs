@@ -31,7 +31,8 @@ fn the_curves_of_the_paper() {
         assert_eq!(component.segments().len(), segments, "{name}");
         let dense = DenseCurve::per_segment(&curve, 300).unwrap();
         assert_eq!(dense.len(), 300 * segments, "{name}");
-        // The viewBox of each file is its bounding box and a margin of 10, before joins are smoothed.
+        // The viewBox of each file is its bounding box and a margin of 10, before joins are
+        // smoothed.
         let svg = fs::read_to_string(&path).unwrap();
         let (_, rest) = svg.split_once("viewBox=\"").unwrap();
         let (numbers, _) = rest.split_once('"').unwrap();

@@ -1,5 +1,5 @@
-//! Documents that nobody vouches for: none of them fills the memory, takes long or reads a file. Levels,
-//! elements and segments have their tests in `bad_input.rs`.
+//! Documents that nobody vouches for: none of them fills the memory, takes long or reads a file.
+//! Levels, elements and segments have their tests in `bad_input.rs`.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

@@ -8,6 +8,7 @@ use crate::rms::{self, RootMeanSquare};
 
 /// How far a reconstruction and the curve are apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Distances {
     /// At most.
     pub hausdorff: Hausdorff,

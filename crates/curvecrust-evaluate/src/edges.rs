@@ -4,6 +4,7 @@ use curvecrust_geometry::{Edge, EdgeSet};
 
 /// Which edges of a reconstruction are right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct EdgeComparison {
     /// Edges that both have, ascending.
     pub correct: Vec<Edge>,
@@ -14,7 +15,8 @@ pub struct EdgeComparison {
 }
 
 impl EdgeComparison {
-    /// Compares what was `found` with the `truth`, usually the manifold boundary of a sampled curve.
+    /// Compares what was `found` with the `truth`, usually the manifold boundary of a sampled
+    /// curve.
     #[must_use]
     pub fn new(truth: &EdgeSet, found: &EdgeSet) -> Self {
         let is_found = |edge: &Edge| found.contains(*edge);

@@ -63,6 +63,7 @@ pub enum Kind {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Evaluation {
     /// The edges against the true ones; `None` for an approximating output.
     pub comparison: Option<EdgeComparison>,

@@ -1,9 +1,9 @@
 //! The Hausdorff distance between a polygon and the smooth curve it stands for.
 //!
-//! The distance from curve to polygon is the supremum, over all points of the curve, of the distance
-//! to the nearest point of the polygon; the other direction likewise. Neither is attained at
-//! vertices only, so vertices alone would bound it from below and nothing more. Here both ends of
-//! the answer are known: segments are halved until no part that could exceed the lower bound by
+//! The distance from curve to polygon is the supremum, over all points of the curve, of the
+//! distance to the nearest point of the polygon; the other direction likewise. Neither is attained
+//! at vertices only, so vertices alone would bound it from below and nothing more. Here both ends
+//! of the answer are known: segments are halved until no part that could exceed the lower bound by
 //! more than the tolerance is left.
 //!
 //! Cost: near-linear in edges and Béziers for a tolerance that is a fixed share of the distance.
@@ -19,6 +19,7 @@ use crate::reference::{Polygon, Reference};
 
 /// The two directed distances. Both are infinite when the polygon has no edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Hausdorff {
     /// The largest distance of a point of the curve to the polygon: how much of it was missed.
     pub curve_to_polygon: Bounds,

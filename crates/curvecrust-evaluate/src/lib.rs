@@ -1,4 +1,4 @@
-//! How good a reconstruction is, when the truth is known.
+//! How good a reconstruction is, where the true curve is known.
 //!
 //! | module | what it gives |
 //! |---|---|

@@ -27,8 +27,8 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// A smooth curve, by chords no farther than `flatness` from their arcs: a length in the unit of
-    /// the curve, which is part of all bounds; taken as at least 1e-8 of the extent.
+    /// A smooth curve, by chords no farther than `flatness` from their arcs: a length in the unit
+    /// of the curve, which is part of all bounds; taken as at least 1e-8 of the extent.
     #[must_use]
     pub fn of_curve(curve: &Curve, flatness: f64) -> Self {
         let flatness = flatness.max(1e-8 * curve.extent());
@@ -100,8 +100,8 @@ impl Polygon {
 }
 
 /// Chords at equal steps of the parameter, so many that none is farther than `flatness` from its
-/// arc: the chord of a step h deviates by at most h^2 / 8 times the largest second derivative, which
-/// is linear along a cubic.
+/// arc: the chord of a step h deviates by at most h^2 / 8 times the largest second derivative,
+/// which is linear along a cubic.
 fn flattened(bezier: &CubicBezier, flatness: f64) -> impl Iterator<Item = Segment> + '_ {
     let bend = bezier
         .second_derivative(0.0)

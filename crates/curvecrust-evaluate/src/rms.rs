@@ -2,10 +2,10 @@
 //!
 //! Each directed value is the square root of the mean, by length, of the squared distance to the
 //! other. It is found at the middles of short pieces. A distance changes by at most as much as the
-//! point moves, so by Minkowski's inequality the value is off by at most the root mean square of the
-//! distance to the middle: h / sqrt(12) for pieces of length h. The bounds say so; the error itself
-//! is of order h^2. That arcs are a little longer than the chords that stand for them is not part of
-//! the bounds: it changes the value by a fraction of (flatness / chord)^2.
+//! point moves, so by Minkowski's inequality the value is off by at most the root mean square of
+//! the distance to the middle: h / sqrt(12) for pieces of length h. The bounds say so; the error
+//! itself is of order h^2. That arcs are a little longer than the chords that stand for them is not
+//! part of the bounds: it changes the value by a fraction of (flatness / chord)^2.
 
 use curvecrust_geometry::{DVec2, Segment, SegmentTree};
 
@@ -14,6 +14,7 @@ use crate::reference::{Polygon, Reference};
 
 /// The two directed root mean squares. Both are infinite when the polygon has no edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RootMeanSquare {
     /// Of the distance to the polygon, over the curve.
     pub curve_to_polygon: Bounds,
@@ -35,7 +36,8 @@ pub(crate) fn between(reference: &Reference, polygon: &Polygon, tolerance: f64) 
     }
 }
 
-/// The root mean square of the distance to `to`, over the segments `from` in pieces of at most `step`.
+/// The root mean square of the distance to `to`, over the segments `from` in pieces of at most
+/// `step`.
 fn directed(from: &[Segment], to: &SegmentTree, step: f64) -> Bounds {
     let (mut squares, mut slack, mut length) = (0.0, 0.0, 0.0);
     let mut last: Option<Segment> = None;

@@ -15,6 +15,7 @@ use curvecrust_geometry::EdgeSet;
 /// assert_eq!(topology.degrees, [1, 2, 3, 0]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Topology {
     /// Components that are rings.
     pub closed: usize,

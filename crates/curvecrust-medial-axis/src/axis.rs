@@ -2,8 +2,8 @@
 //!
 //! N. Amenta, M. Bern, D. Eppstein, *The Crust and the β-Skeleton*, GMIP 1998: the Voronoi diagram
 //! of dense points on curves approximates their medial axis. A Voronoi edge between the cells of
-//! consecutive points of one curve crosses the curve there; every other one belongs to the axis. For
-//! dense points of a smooth curve, the only Voronoi vertices near the curve's own bends are
+//! consecutive points of one curve crosses the curve there; every other one belongs to the axis.
+//! For dense points of a smooth curve, the only Voronoi vertices near the curve's own bends are
 //! circumcentres of consecutive points, which are its centres of curvature.
 //!
 //! Cost: that of the Delaunay triangulation, O(n log n).
@@ -32,6 +32,7 @@ pub struct MedialAxis {
 
 /// A piece of the medial axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct AxisEdge {
     /// The piece: a Voronoi edge; an unbounded one is cut so far outside that the distance of no
     /// dense point to it changes.
@@ -115,7 +116,8 @@ impl MedialAxis {
         })
     }
 
-    /// Adds points that are known to belong to the axis, each with the dense point it is nearest to.
+    /// Adds points that are known to belong to the axis, each with the dense point it is nearest
+    /// to.
     pub(crate) fn extend(&mut self, points: impl IntoIterator<Item = (usize, DVec2)>) {
         let to_unit = self.to_unit;
         let near = points

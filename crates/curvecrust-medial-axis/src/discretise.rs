@@ -1,4 +1,4 @@
-//! How a curve is made into dense points, and all that is measured on them.
+//! Dense points of a curve, and the local feature size at each of them.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ use crate::shrinking_ball;
 /// How dense points are chosen on a smooth curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Discretisation {
-    /// The same number of points on every cubic segment, at equal steps of its parameter. The program
-    /// of the paper's authors takes 300; the paper itself names no number.
+    /// The same number of points on every cubic segment, at equal steps of its parameter. The
+    /// program of the paper's authors takes 300; the paper itself names no number.
     PerSegment(u32),
     /// As many points as needed: the gap between neighbours is at most this fraction of the lfs at
     /// both of them, and of the radius of curvature. With the Voronoi estimator, the axis itself
@@ -72,8 +72,9 @@ impl MeasuredCurve {
     ///
     /// # Errors
     /// With [`Estimator::Voronoi`], those of [`MedialAxis::new`], and
-    /// [`TooCoarse`](MedialAxisError::TooCoarse) where a gap is not below twice the lfs found at its
-    /// ends: then the points are no epsilon-sample for any epsilon < 1, and what was found is no lfs.
+    /// [`TooCoarse`](MedialAxisError::TooCoarse) where a gap is not below twice the lfs found at
+    /// its ends: then the points are no epsilon-sample for any epsilon < 1, and what was found is
+    /// no lfs.
     pub fn new(dense: DenseCurve, estimator: Estimator) -> Result<Self, MedialAxisError> {
         let lfs = match estimator {
             Estimator::Voronoi => LocalFeatureSize::new(&dense, &MedialAxis::new(&dense)?),
@@ -116,12 +117,12 @@ impl MeasuredCurve {
 
 /// The number of points a segment that refinement starts from.
 const START: u32 = 16;
-/// A gap is split into at most so many parts at once: lfs on a coarse discretisation is a guess.
+/// The most parts that a gap is split into at once: lfs on a coarse discretisation is a guess.
 const SPLIT: f64 = 8.0;
-/// The axis is computed from points up to so many times farther apart than those that lfs is wanted
-/// at, ...
+/// How many times farther apart than the dense points may be those that the axis is computed from,
+/// ...
 const AXIS_GAPS: f64 = 4.0;
-/// ... but at most this fraction of their lfs: its error falls with the square of their gap.
+/// ... but at most this fraction of their lfs apart: the error of the axis falls with the square.
 const AXIS_RATIO: f64 = 0.05;
 /// Curves nearer than this fraction of their extent count as touching.
 pub(crate) const TOUCHING: f64 = 1e-7;
@@ -129,7 +130,8 @@ pub(crate) const TOUCHING: f64 = 1e-7;
 /// lie on each other would be refined without end.
 const OVERLAP_ROUNDS: usize = 6;
 
-/// Discretises a curve with gaps of at most 0.02 of its lfs, which it estimates from the Voronoi diagram.
+/// Discretises a curve with gaps of at most 0.02 of its lfs, which it estimates from the Voronoi
+/// diagram.
 ///
 /// # Errors
 /// Those of [`measure_with`].
@@ -214,9 +216,9 @@ pub(crate) fn settle(
 ) -> Result<MeasuredCurve, MedialAxisError> {
     loop {
         let found = lfs(&dense)?;
-        let wanted = wanted(curve, &dense, &found, ratio);
-        tell(progress, &wanted, 1.0);
-        let pieces = pieces(&wanted);
+        let parts = parts(curve, &dense, &found, ratio);
+        report(progress, &parts, 1.0);
+        let pieces = pieces(&parts);
         if pieces.iter().all(|&n| n == 1) {
             return Ok(MeasuredCurve::from_parts(dense, found));
         }
@@ -224,7 +226,8 @@ pub(crate) fn settle(
     }
 }
 
-/// The medial axis, precise enough for points whose gaps are `ratio` of lfs, and the points that it is of.
+/// The medial axis, precise enough for points whose gaps are `ratio` of lfs, and the points that it
+/// is of.
 pub(crate) fn refine_axis(
     curve: &Curve,
     ratio: f64,
@@ -234,8 +237,8 @@ pub(crate) fn refine_axis(
         return Err(MedialAxisError::GapToLfs(ratio));
     }
     let coarse = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
-    let tell = |wanted: &[f64]| tell(progress, wanted, coarse / ratio);
-    let (mut axis, dense) = coarse_axis(curve, coarse, &tell)?;
+    let report = |parts: &[f64]| report(progress, parts, coarse / ratio);
+    let (mut axis, dense) = coarse_axis(curve, coarse, &report)?;
     axis.extend(curvature::centres_at_joins(curve, &dense, coarse));
     Ok((axis, dense))
 }
@@ -244,7 +247,7 @@ pub(crate) fn refine_axis(
 fn coarse_axis(
     curve: &Curve,
     ratio: f64,
-    tell: &dyn Fn(&[f64]),
+    report: &dyn Fn(&[f64]),
 ) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = DenseCurve::per_segment(curve, START)?;
@@ -267,9 +270,9 @@ fn coarse_axis(
             let at = dense.points()[i];
             return Err(MedialAxisError::Touching { at, distance });
         }
-        let wanted = wanted(curve, &dense, &lfs, ratio);
-        tell(&wanted);
-        let mut pieces = pieces(&wanted);
+        let parts = parts(curve, &dense, &lfs, ratio);
+        report(&parts);
+        let mut pieces = pieces(&parts);
         for gap in spanning {
             pieces[gap] = pieces[gap].max(2);
         }
@@ -282,7 +285,7 @@ fn coarse_axis(
 }
 
 /// Into how many parts, 1 or more, the gap after each point would be split at once.
-fn wanted(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<f64> {
+fn parts(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<f64> {
     (0..dense.len())
         .map(|i| {
             let Some(next) = dense.next(i) else {
@@ -296,26 +299,27 @@ fn wanted(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64)
 }
 
 /// Into how many parts each gap is to be split next.
-fn pieces(wanted: &[f64]) -> Vec<u32> {
-    let next = |&wanted: &f64| {
+fn pieces(parts: &[f64]) -> Vec<u32> {
+    let next = |&parts: &f64| {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "from 1 to a few"
         )]
-        let next = wanted.min(SPLIT) as u32;
+        let next = parts.min(SPLIT) as u32;
         next
     };
-    wanted.iter().map(next).collect()
+    parts.iter().map(next).collect()
 }
 
-/// Tells how many points there are, of about how many: those wanted now, and `more` for each.
-fn tell(progress: Progress<'_>, wanted: &[f64], more: f64) {
+/// Reports how many points there are, of about how many: the parts of their gaps, and `more` for
+/// each.
+fn report(progress: Progress<'_>, parts: &[f64], more: f64) {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "positive, and the cast saturates"
     )]
-    let about = (wanted.iter().sum::<f64>() * more) as usize;
-    progress.report(wanted.len(), about.max(wanted.len()));
+    let about = (parts.iter().sum::<f64>() * more) as usize;
+    progress.report(parts.len(), about.max(parts.len()));
 }

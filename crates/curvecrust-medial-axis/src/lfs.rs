@@ -96,8 +96,8 @@ impl LocalFeatureSize {
         self.values().iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The reach of an interval of dense points: the minimum of lfs over it (SGP 2016, Definition 2),
-    /// in O(log n).
+    /// The reach of an interval of dense points: the minimum of lfs over it (SGP 2016, Definition
+    /// 2), in O(log n).
     ///
     /// An interval that runs over the seam of a closed curve is the union of two. Infinite for an
     /// empty one; points beyond the last do not count.

@@ -4,7 +4,7 @@
 //! | module | what it gives | source |
 //! |---|---|---|
 //! | [`axis`] | [`MedialAxis`] of a discretised curve, from the Voronoi diagram of its points | Amenta, Bern, Eppstein 1998 |
-//! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4, Definition 2 |
+//! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4 and Definition 2 |
 //! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
 //! | [`discretise`] | [`measure`]: dense points, as many as the lfs asks for, and the lfs at each | |
 //! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners | |

@@ -1,19 +1,22 @@
 //! The local feature size of the smooth pieces of curves with corners.
 //!
-//! With respect to the whole curve, lfs goes to 0 at a corner. With respect to its piece alone it would not
-//! know what else is near. What is measured here lies between:
+//! With respect to the whole curve, lfs goes to 0 at a corner. With respect to one piece alone, lfs
+//! ignores what else is near. The value at a point p of a piece is the smallest of these:
 //!
-//! - the lfs with respect to what is smooth by itself: the piece, or all components without corners;
-//! - half of the distance to every other piece. If m is a point of the medial axis of this one and that one, and
-//!   nearest to p, then its closest points are no farther from m than p is: p is at most 2 |pm| from that
-//!   piece. So this half is a lower bound of lfs, and equal to it between parallel lines;
-//! - a piece that meets this one in a corner c counts only where it comes nearer to p than sin 60° |pc|: straight
-//!   arms that meet at 60° or more never do. That exception is what keeps lfs above 0 at a corner, and it is where
-//!   theory ends: the theorems on epsilon- and rho-samples are of smooth curves. They hold for every piece by
-//!   itself; that a reconstruction gets round the corner, too, is to be checked by running it.
+//! 1. The lfs with respect to the smooth part: the piece, or all components without corners.
+//! 2. Half of the distance to every other piece. Let m be the point nearest to p on the medial axis
+//!    of this piece and that one. Its closest points are no farther from m than p is, so p is at
+//!    most 2 |pm| from that piece: half of the distance is a lower bound of lfs. Between parallel
+//!    lines it is equal to lfs.
 //!
-//! Made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces, O(n^2 log n) in their boxes besides what
-//! the pieces cost by themselves.
+//! A piece that meets this one in a corner c counts only where it comes nearer to p than
+//! sin 60° |pc|; straight arms that meet at 60° or more never do. This exception keeps lfs above 0
+//! at a corner, and theory ends there: the theorems on epsilon- and rho-samples hold for smooth
+//! curves, hence for every piece by itself. Whether a reconstruction gets round the corner is to be
+//! seen by running it.
+//!
+//! The values are made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces,
+//! O(n^2 log n) in their boxes besides what the pieces cost by themselves.
 
 use curvecrust_curve::{CurveParam, DenseCurve, SplitCurve};
 use curvecrust_geometry::{Component, DVec2, Progress, SegmentTree};
@@ -30,8 +33,8 @@ const SINE: f64 = 0.866_025_403_784_438_6;
 /// How [`measure_pieces_with`] goes about it.
 #[derive(Clone, Copy, Debug)]
 pub struct MeasurePiecesOptions<'a> {
-    /// The largest gap between dense points as a fraction of the lfs at both, above 0 and at most 1; 0.02 by
-    /// default.
+    /// The largest gap between dense points as a fraction of the lfs at both, above 0 and at most
+    /// 1; 0.02 by default.
     pub gap_to_lfs: f64,
     /// Hears how many smooth parts have their medial axis, of how many.
     pub progress: Progress<'a>,
@@ -46,15 +49,16 @@ impl Default for MeasurePiecesOptions<'_> {
     }
 }
 
-/// Discretises the pieces of a curve so that no gap is longer than 0.02 of the lfs of its ends, which is what
-/// [this module](self) says. The components of the dense curve are the [pieces](SplitCurve::pieces), so that
-/// the point at a corner is there twice.
+/// Discretises the pieces of a curve so that no gap is longer than 0.02 of the lfs of its ends,
+/// as [this module](self) defines it. The components of the dense curve are the
+/// [pieces](SplitCurve::pieces), so that the point at a corner is there twice.
 ///
 /// Without corners it is [`measure`](crate::measure()).
 ///
 /// # Errors
 /// Those of [`measure`](crate::measure) for each smooth part;
-/// [`Touching`](MedialAxisError::Touching) where two pieces come too near to tell, other than in their corner.
+/// [`Touching`](MedialAxisError::Touching) where two pieces come too near to tell, other than in
+/// their corner.
 ///
 /// ```
 /// use curvecrust_curve::SplitCurve;

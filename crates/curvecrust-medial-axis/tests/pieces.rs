@@ -47,8 +47,8 @@ fn sides_of_a_bar_see_the_opposite_ones() {
 
 #[test]
 fn arms_see_each_other_away_from_their_corner() {
-    // The top of a half disc is 1 from its diameter, and sqrt(2) from its corners. What is nearest to a corner is the
-    // far half of the diameter, which is cut again.
+    // The top of a half disc is 1 from its diameter, and sqrt(2) from its corners. What is nearest
+    // to a corner is the far half of the diameter, which is cut again.
     let half_disc = measured("M 0 0 A 1 1 0 0 1 2 0 Z");
     assert_near(near(&half_disc, 0, DVec2::new(1.0, -1.0)), 0.5);
     assert_near(near(&half_disc, 0, DVec2::ZERO), 0.5);

@@ -1,21 +1,22 @@
 //! How good samples are: the smallest epsilon, or rho, for which they satisfy the condition.
 //!
-//! A. Epsilon (SGP 2016, Definition 1) asks for the nearest sample of all, but below 1 that is an end
-//! of the interval that the point is in: a disc about a curve point p with a radius below lfs(p) meets the
-//! curve in one arc, so on the way along it to any sample in the disc lies an end of the interval, and
-//! no farther from p (Amenta, Bern, Eppstein 1998). Bounds from 1 on are those of interval ends.
+//! Which samples count. Epsilon (SGP 2016, Definition 1) asks for the nearest sample of all. Below
+//! 1, that is an end of the interval that the point is in: a disc about a curve point p with a
+//! radius below lfs(p) meets the curve in one arc. On the way along this arc to any sample in the
+//! disc lies an end of the interval, and it is no farther from p (Amenta, Bern, Eppstein 1998).
+//! Values from 1 on are those of interval ends.
 //!
-//! B. Between two dense points, what is reported lies between the largest value found, at dense points,
-//! at samples, and where the nearer sample changes, and an upper bound for every point of the curve.
-//! lfs is taken as measured.
+//! Which points count. Two values enclose the answer. The lower one is the largest value found at
+//! dense points, at samples, and where the nearer sample changes. The upper one bounds the value at
+//! every point of the curve. lfs is taken as measured.
 
 use std::ops::Range;
 
 use curvecrust_geometry::{DVec2, Segment};
 use curvecrust_medial_axis::MeasuredCurve;
 
+use crate::arcs::Arcs;
 use crate::condition::{Bound, Condition};
-use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 
 /// A piece of a component between two consecutive samples.
@@ -23,21 +24,23 @@ use crate::placed::PlacedSamples;
 pub struct Interval {
     /// Index of the component.
     pub component: usize,
-    /// Indices of the sample before and the one after. `None` before the first and after the last of
-    /// an open component; the same twice on a closed component of one sample; none where there is none.
+    /// Indices of the sample before and the one after. `None` before the first and after the last
+    /// of an open component; the same twice on a closed component of one sample; none where there
+    /// is none.
     pub samples: [Option<usize>; 2],
 }
 
 /// What the samples attain on an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Attained {
     /// The interval.
     pub interval: Interval,
-    /// The epsilon, or the rho: how far the worst point is from the nearer sample, divided by its lfs or
-    /// the reach of the interval. Infinite without a sample.
+    /// The epsilon, or the rho: how far the worst point is from the nearer sample, divided by its
+    /// lfs or the reach of the interval. Infinite without a sample.
     pub bound: f64,
-    /// No point of the curve there exceeds this, lfs being as measured; infinite where the dense points are
-    /// too far apart to tell.
+    /// No point of the curve there exceeds this, lfs being as measured; infinite where the dense
+    /// points are too far apart to tell.
     pub at_most: f64,
     /// The worst point.
     pub at: DVec2,
@@ -53,13 +56,14 @@ pub struct Attained {
 
 /// The answer of [`check`].
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Verdict {
     /// Every interval that violates the condition, in the order of the curve.
     pub violations: Vec<Attained>,
     /// The interval with the largest bound; `None` for a curve without points.
     pub worst: Option<Attained>,
-    /// Whether the condition is certain to hold at every point of the curve, as far as lfs is right.
-    /// If it is not, and nothing violates it, a finer discretisation will tell.
+    /// Whether the condition is certain to hold at every point of the curve, as far as lfs is
+    /// right. If it is not, and nothing violates it, a finer discretisation will tell.
     pub certain: bool,
 }
 
@@ -71,8 +75,8 @@ impl Verdict {
     }
 }
 
-/// The smallest epsilon for which samples are an epsilon-sample, with the interval that asks for it;
-/// `None` for a curve without points.
+/// The smallest epsilon for which samples are an epsilon-sample, with the interval that asks for
+/// it; `None` for a curve without points.
 ///
 /// ```
 /// use curvecrust_curve::Curve;
@@ -92,14 +96,14 @@ impl Verdict {
 /// ```
 #[must_use]
 pub fn effective_epsilon(measured: &MeasuredCurve, samples: &PlacedSamples) -> Option<Attained> {
-    attained(&Gaps::of(measured), samples, Bound::Epsilon(1.0))
+    attained(&Arcs::of(measured), samples, Bound::Epsilon(1.0))
 }
 
-/// The smallest rho for which samples are a rho-sample, with the interval that asks for it; `None` for
-/// a curve without points.
+/// The smallest rho for which samples are a rho-sample, with the interval that asks for it; `None`
+/// for a curve without points.
 #[must_use]
 pub fn effective_rho(measured: &MeasuredCurve, samples: &PlacedSamples) -> Option<Attained> {
-    attained(&Gaps::of(measured), samples, Bound::Rho(1.0))
+    attained(&Arcs::of(measured), samples, Bound::Rho(1.0))
 }
 
 /// Whether samples satisfy a condition, and every interval on which they do not.
@@ -107,7 +111,7 @@ pub fn effective_rho(measured: &MeasuredCurve, samples: &PlacedSamples) -> Optio
 /// Samples that were placed on another dense curve may count as none.
 #[must_use]
 pub fn check(measured: &MeasuredCurve, samples: &PlacedSamples, condition: Condition) -> Verdict {
-    let found = intervals(&Gaps::of(measured), samples, condition.bound());
+    let found = intervals(&Arcs::of(measured), samples, condition.bound());
     let bound = condition.bound().value();
     let limit = condition.hausdorff_limit().unwrap_or(f64::INFINITY);
     let limited = condition.hausdorff_limit().is_some();
@@ -124,7 +128,7 @@ pub fn check(measured: &MeasuredCurve, samples: &PlacedSamples, condition: Condi
 }
 
 /// What samples attain; the value of the bound does not matter.
-pub(crate) fn attained(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Option<Attained> {
+pub(crate) fn attained(all: &[Arcs], samples: &PlacedSamples, kind: Bound) -> Option<Attained> {
     worst(&intervals(all, samples, kind))
 }
 
@@ -135,22 +139,23 @@ fn worst(found: &[Attained]) -> Option<Attained> {
     Some(rest.iter().fold(*first, larger))
 }
 
-/// What samples attain on each interval, in the order of the curve; the value of the bound does not matter.
-fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained> {
+/// What samples attain on each interval, in the order of the curve; the value of the bound does not
+/// matter.
+fn intervals(all: &[Arcs], samples: &PlacedSamples, kind: Bound) -> Vec<Attained> {
     let mut found = Vec::with_capacity(samples.placements().len() + 1);
-    for (index, gaps) in all.iter().enumerate() {
+    for (index, arcs) in all.iter().enumerate() {
         // Samples of another dense curve are none of this one's.
         let here = |range: &Range<usize>| {
             let places = &samples.placements()[range.clone()];
             places
                 .iter()
-                .all(|p| gaps.component.range.contains(&p.dense))
+                .all(|p| arcs.component.range.contains(&p.dense))
         };
         let range = samples.components().get(index).cloned().filter(here);
         let range = range.unwrap_or(0..0);
         let place = |sample: usize| {
             let place = samples.placements()[sample];
-            (place.dense - gaps.component.range.start, place.t)
+            (place.dense - arcs.component.range.start, place.t)
         };
         let point = |sample: Option<usize>| sample.map(|i| samples.placements()[i].point);
         let mut measure = |samples: [Option<usize>; 2], from, to| {
@@ -158,18 +163,18 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
                 component: index,
                 samples,
             };
-            let walk = Walk::new(gaps, kind, samples.map(point));
+            let walk = Walk::new(arcs, kind, samples.map(point));
             let mut attained = walk.attained(interval, from, to);
             attained.dense =
-                gaps.component.range.start + attained.dense % gaps.component.range.len();
+                arcs.component.range.start + attained.dense % arcs.component.range.len();
             found.push(attained);
         };
-        let end = (gaps.len(), 0.0);
+        let end = (arcs.len(), 0.0);
         let (Some(first), Some(last)) = (range.clone().next(), range.clone().next_back()) else {
             measure([None; 2], (0, 0.0), end);
             continue;
         };
-        if !gaps.component.closed && place(first) > (0, 0.0) {
+        if !arcs.component.closed && place(first) > (0, 0.0) {
             measure([None, Some(first)], (0, 0.0), place(first));
         }
         for (before, after) in range.clone().zip(range.skip(1)) {
@@ -177,15 +182,15 @@ fn intervals(all: &[Gaps], samples: &PlacedSamples, kind: Bound) -> Vec<Attained
             measure(
                 [Some(before), Some(after)],
                 from,
-                beyond(from, to, gaps.len()),
+                beyond(from, to, arcs.len()),
             );
         }
-        if gaps.component.closed {
+        if arcs.component.closed {
             let (from, to) = (place(last), place(first));
             measure(
                 [Some(last), Some(first)],
                 from,
-                beyond(from, to, gaps.len()),
+                beyond(from, to, arcs.len()),
             );
         } else {
             measure([Some(last), None], place(last), end);
@@ -230,7 +235,7 @@ impl Stop {
 
 /// The walk along an interval that finds the worst of its points.
 struct Walk<'a> {
-    gaps: &'a Gaps<'a>,
+    arcs: &'a Arcs<'a>,
     kind: Bound,
     ends: [Option<DVec2>; 2],
     chord: Option<Segment>,
@@ -240,18 +245,18 @@ struct Walk<'a> {
     reach: f64,
     least_lfs: f64,
     deviation: f64,
-    bulge: f64,
+    sagitta: f64,
 }
 
 impl<'a> Walk<'a> {
-    fn new(gaps: &'a Gaps<'a>, kind: Bound, ends: [Option<DVec2>; 2]) -> Self {
+    fn new(arcs: &'a Arcs<'a>, kind: Bound, ends: [Option<DVec2>; 2]) -> Self {
         let nowhere = Stop {
-            at: gaps.point(0),
+            at: arcs.point(0),
             lfs: f64::INFINITY,
             distances: [f64::INFINITY; 2],
         };
         Self {
-            gaps,
+            arcs,
             kind,
             ends,
             chord: ends[0]
@@ -262,7 +267,7 @@ impl<'a> Walk<'a> {
             reach: f64::INFINITY,
             least_lfs: f64::INFINITY,
             deviation: 0.0,
-            bulge: 0.0,
+            sagitta: 0.0,
         }
     }
 
@@ -297,15 +302,15 @@ impl<'a> Walk<'a> {
             dense,
             lfs,
             deviation: self.deviation,
-            deviation_at_most: self.deviation + self.bulge,
+            deviation_at_most: self.deviation + self.sagitta,
         }
     }
 
     fn stop(&self, (at, t): Place) -> Stop {
-        let (mut p, mut lfs) = (self.gaps.point(at), self.gaps.lfs(at));
+        let (mut p, mut lfs) = (self.arcs.point(at), self.arcs.lfs(at));
         if t > 0.0 {
-            p = p.lerp(self.gaps.point(at + 1), t);
-            lfs = between(lfs, self.gaps.lfs(at + 1), t);
+            p = p.lerp(self.arcs.point(at + 1), t);
+            lfs = between(lfs, self.arcs.lfs(at + 1), t);
         }
         let distance = |s: Option<DVec2>| s.map_or(f64::INFINITY, |s| s.distance(p));
         Stop {
@@ -328,21 +333,21 @@ impl<'a> Walk<'a> {
         self.deviation = self.deviation.max(deviation);
     }
 
-    /// Bounds what the curve does in a gap, or in the part of it between two stops: the distance to the
-    /// nearer sample grows from either stop by no more than the length of the arc.
+    /// Bounds what the curve does in a gap, or in the part of it between two stops: the distance to
+    /// the nearer sample grows from either stop by no more than the length of the arc.
     fn enclose(&mut self, gap: usize, last: Stop, next: Stop) {
-        let (arc, run) = (self.gaps.arc(gap), self.gaps.gap(gap));
-        let along_chord = |i: usize| last.distances[i].max(next.distances[i]) + run.bulge;
+        let (length, arc) = (self.arcs.length(gap), self.arcs.arc(gap));
+        let along_chord = |i: usize| last.distances[i].max(next.distances[i]) + arc.sagitta;
         let one_sample = along_chord(0).min(along_chord(1));
-        let middle = (last.nearer() + next.nearer() + arc) / 2.0;
+        let middle = (last.nearer() + next.nearer() + length) / 2.0;
         let farthest = one_sample.min(middle);
         let at_most = match self.kind {
             Bound::Rho(_) => farthest,
-            Bound::Epsilon(_) => ratio(farthest, run.lfs),
+            Bound::Epsilon(_) => ratio(farthest, arc.lfs),
         };
         self.at_most = self.at_most.max(at_most);
-        self.least_lfs = self.least_lfs.min(run.lfs);
-        self.bulge = self.bulge.max(run.bulge);
+        self.least_lfs = self.least_lfs.min(arc.lfs);
+        self.sagitta = self.sagitta.max(arc.sagitta);
     }
 }
 

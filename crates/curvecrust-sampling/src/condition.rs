@@ -1,5 +1,7 @@
 //! The sampling conditions.
 
+use std::fmt;
+
 use thiserror::Error;
 
 /// How near a sample has to be to every point of the curve.
@@ -22,28 +24,40 @@ impl Bound {
     }
 }
 
+/// As a bound is written: `rho < 0.9`.
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Epsilon(value) => write!(f, "epsilon < {value}"),
+            Self::Rho(value) => write!(f, "rho < {value}"),
+        }
+    }
+}
+
 /// A [`Bound`], and optionally how far the curve may be from the polygon of the samples.
 ///
 /// # Guarantees
-/// The bound lies strictly between 0 and 1, or is a rho of 1; the limit is finite or infinite, and above 0.
+/// The bound lies strictly between 0 and 1, or is a rho of 1; the limit is finite or infinite, and
+/// above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
     bound: Bound,
     hausdorff_limit: Option<f64>,
 }
 
-/// How far the curve may be from the chord between two consecutive samples, at every point of it: what
-/// [`sample_verified`](crate::sample_verified()) keeps.
+/// How far the curve may be from the chord between two consecutive samples, at every point of it:
+/// what [`sample_verified`](crate::sample_verified()) keeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DeviationLimit {
-    /// As far as it likes. Then the manifold boundary need not look like the curve at all: most curves
-    /// end up with four samples, of which HNN-Crust returns the quadrilateral.
+    /// As far as it likes. Then the manifold boundary need not look like the curve at all: most
+    /// curves end up with four samples, of which HNN-Crust returns the quadrilateral.
     None,
     /// Nearer than this length: a Hausdorff limit.
     Length(f64),
-    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial axis: the point
-    /// of the chord that is nearest to a curve point moves along all of it, and is within lfs every time. So the
-    /// polygon can be deformed into the curve without touching the axis.
+    /// Nearer than this fraction of lfs at each point. Up to 1, no chord gets across the medial
+    /// axis: the point of the chord that is nearest to a curve point moves along all of it, and is
+    /// within lfs every time. So the polygon can be deformed into the curve without touching the
+    /// axis.
     OfLfs(f64),
 }
 
@@ -63,7 +77,11 @@ pub enum ConditionError {
 }
 
 impl Condition {
-    /// The epsilon-sampling condition. HNN-Crust is correct for epsilon < 0.47 (SGP 2016, Theorem 3).
+    /// The epsilon-sampling condition.
+    ///
+    /// The paper claims that HNN-Crust returns the manifold boundary for epsilon < 0.47 (SGP 2016,
+    /// Theorem 3). Its proof rests on the claim for rho < 0.9, which fails, but uses it for
+    /// rho < 0.887 only; there no counterexample is known.
     ///
     /// # Errors
     /// If epsilon is not strictly between 0 and 1.
@@ -72,7 +90,11 @@ impl Condition {
         Ok(Self::of(valid.ok_or(ConditionError::Epsilon(epsilon))?))
     }
 
-    /// The rho-sampling condition. HNN-Crust is correct for rho < 0.9 (SGP 2016, Theorem 2).
+    /// The rho-sampling condition.
+    ///
+    /// The paper claims that HNN-Crust returns the manifold boundary for rho < 0.9 (SGP 2016,
+    /// Theorem 2). That fails from rho = 0.8950 on: there are smooth curves with such samples on
+    /// which it misses an edge. Below, no counterexample is known.
     ///
     /// # Errors
     /// If rho is not above 0 and at most 1.
@@ -83,7 +105,8 @@ impl Condition {
 
     /// The same condition, and every point of an interval lies nearer than `limit` to the chord of
     /// its two samples. `limit` is a length in the unit of the curve. The samplers of
-    /// [`dense_points`](crate::dense_points) take the line through the samples, as the authors' program does.
+    /// [`dense_points`](crate::dense_points) take the line through the samples, as the authors'
+    /// program does.
     ///
     /// # Errors
     /// If the limit is not above 0, or NaN.
@@ -127,9 +150,28 @@ impl Condition {
     }
 }
 
+/// As a condition is written: `rho < 0.9`, or `rho < 0.9 within 0.01`.
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.bound.fmt(f)?;
+        match self.hausdorff_limit {
+            None => Ok(()),
+            Some(limit) => write!(f, " within {limit}"),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn conditions_are_written_as_in_the_paper() {
+        let rho = Condition::rho(0.9).unwrap();
+        assert_eq!(rho.to_string(), "rho < 0.9");
+        let limited = rho.with_hausdorff_limit(0.01).unwrap();
+        assert_eq!(limited.to_string(), "rho < 0.9 within 0.01");
+    }
 
     #[test]
     fn values_out_of_range_are_refused_by_name() {

@@ -1,15 +1,18 @@
 //! Sampling by conditions that are tested at dense points only, as the paper's authors do it.
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
-//! 2016, Section 8.2. The end of the interval from sample s0 advances one dense point at a time,
-//! and the condition is tested at the dense points inside. Where it first fails, [`sample_at_dense_points`]
-//! takes the dense point before, the last for which it held; the authors' program takes the failing
-//! one itself, and so does [`sample_as_published`], so that counts can be compared. A closed curve
-//! starts at its first dense point; its closing interval, back to the start, adds no sample.
+//! 2016: Section 8.2 reports what a sampling algorithm gave and does not describe it. This is what
+//! the program of the authors does. The end of the interval from sample s0 advances one dense point
+//! at a time, and the condition is tested at the dense points inside. Where it first fails, the
+//! program takes the failing point as the next sample. So does [`sample_as_published`], so that
+//! counts can be compared; [`sample_at_dense_points`] takes the point before, the last for which
+//! the condition held. A closed curve starts at its first dense point. Its closing interval, back
+//! to the start, adds no sample.
 //!
-//! Between dense points whose gaps are at most g times the lfs of their ends, a rho that holds goes on to hold: the
-//! authors let a dense point stand for the curve up to its neighbours. An epsilon may be exceeded, by less than
-//! (1 + epsilon) g / (2 - g): half-way between two dense points, both of which just hold, the sample is farther by
+//! Let gaps between dense points be at most g times the lfs of their ends. A rho that holds at
+//! dense points also holds between them, because the authors let a dense point stand for the curve
+//! up to its neighbours. An epsilon may be exceeded, by less than (1 + epsilon) g / (2 - g): the
+//! worst place is half-way between two dense points that just hold, where the sample is farther by
 //! half of the gap, and lfs smaller by as much. [`sample`](crate::sample()) has no such excess.
 //!
 //! Cost: near-linear. An interval that holds with some slack holds until its end has moved by as
@@ -18,17 +21,18 @@
 use curvecrust_geometry::Component;
 use curvecrust_medial_axis::MeasuredCurve;
 
+use crate::arcs::Arcs;
 use crate::condition::Condition;
-use crate::gaps::Gaps;
-use crate::interval::Track;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
 use crate::sampling::Sampling;
+use crate::slack::Unrolled;
 
 /// Samples every component of a curve greedily, from its first dense point.
 ///
-/// Both ends of an open component are samples. The condition holds at every dense point inside every
-/// interval, but for the [closing interval](SampledCurve::closing_intervals) of closed components,
-/// which is tested and reported. [This module](self) says what that means between them.
+/// Both ends of an open component are samples. The condition holds at every dense point inside
+/// every interval, but for the [closing interval](SampledCurve::closing_intervals) of closed
+/// components, which is tested and reported. [This module](self) bounds by how much it may fail
+/// between them.
 #[must_use]
 pub fn sample_at_dense_points(measured: &MeasuredCurve, condition: Condition) -> Sampling {
     sample(measured, condition, Next::LastHolding)
@@ -54,7 +58,7 @@ fn sample(measured: &MeasuredCurve, condition: Condition, next: Next) -> Samplin
     let mut sampled = SampledCurve::default();
     for (index, component) in measured.dense().components().iter().enumerate() {
         let Component { range, closed } = component;
-        let track = Track::new(measured, range.clone(), *closed);
+        let track = Unrolled::new(measured, range.clone(), *closed);
         let mut positions = walk(&track, condition, range.len(), next);
         let last = positions[positions.len() - 1];
         if *closed {
@@ -68,11 +72,11 @@ fn sample(measured: &MeasuredCurve, condition: Condition, next: Next) -> Samplin
         let samples = positions.iter().map(|&position| range.start + position);
         sampled.push_component(measured.dense(), samples, *closed);
     }
-    Sampling::new(measured, &Gaps::of(measured), sampled, Some(condition))
+    Sampling::new(measured, &Arcs::of(measured), sampled, Some(condition))
 }
 
 /// The positions of the samples, the first of which is 0, on the first `count` of a track.
-fn walk(track: &Track, condition: Condition, count: usize, next: Next) -> Vec<usize> {
+fn walk(track: &Unrolled, condition: Condition, count: usize, next: Next) -> Vec<usize> {
     let mut positions = vec![0];
     let (mut from, mut to) = (0, 1);
     while to < count {
@@ -99,7 +103,12 @@ mod tests {
     use proptest::prelude::*;
 
     /// The definition: one dense point at a time.
-    fn walk_naively(track: &Track, condition: Condition, count: usize, next: Next) -> Vec<usize> {
+    fn walk_naively(
+        track: &Unrolled,
+        condition: Condition,
+        count: usize,
+        next: Next,
+    ) -> Vec<usize> {
         let mut positions = vec![0];
         let mut from = 0;
         for to in 1..count {
@@ -175,7 +184,7 @@ mod tests {
             let curve = wavy(&radii);
             let measured = self::per_segment(&curve, per_segment);
             let range = measured.dense().components()[0].range.clone();
-            let track = Track::new(&measured, range.clone(), true);
+            let track = Unrolled::new(&measured, range.clone(), true);
             for condition in [Condition::epsilon(bound).unwrap(), Condition::rho(bound).unwrap()] {
                 for condition in [condition, condition.with_hausdorff_limit(limit).unwrap()] {
                     for next in [Next::LastHolding, Next::FirstFailing] {

@@ -12,8 +12,8 @@ pub const SAMPLE_LIMIT: u64 = DENSE_LIMIT as u64;
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum SamplingError {
-    /// Between two consecutive dense points the condition cannot be shown to hold, even if both were
-    /// samples.
+    /// Between two consecutive dense points the condition cannot be shown to hold, even if both
+    /// were samples.
     #[error(
         "the gap of {gap:e} after dense point {index} at ({}, {}), where the local feature size is \
          {lfs:e}, is too long for the condition: discretise the curve more finely",
@@ -29,8 +29,9 @@ pub enum SamplingError {
         /// The smaller local feature size of the two.
         lfs: f64,
     },
-    /// A bound, a limit or a step is so small that it asks for more samples than [`SAMPLE_LIMIT`], or for so many
-    /// that they cannot be certified with [`DENSE_LIMIT`] dense points: each takes a few.
+    /// A bound, a limit or a step is so small that it asks for more samples than [`SAMPLE_LIMIT`],
+    /// or for so many that they cannot be certified with [`DENSE_LIMIT`] dense points: each takes a
+    /// few.
     #[error(
         "{what} is {value:e}, which asks for about {count} samples, too many for {DENSE_LIMIT} dense points, the \
          most there can be: take a larger one"
@@ -112,7 +113,8 @@ pub enum SamplingError {
         /// The dense point that is the sample before the interval.
         dense: usize,
     },
-    /// Arms of corners meet at 60 degrees or less, which no sampling helps; every such corner is named.
+    /// Arms of corners meet at 60 degrees or less, which no sampling helps; every such corner is
+    /// named.
     #[error(
         "{}: arms that meet at 60 degrees or less are not found by HNN-Crust from any samples, so round \
          these corners off",
@@ -136,18 +138,18 @@ pub enum SamplingError {
 
 impl SamplingError {
     pub(crate) fn too_many(what: &'static str, value: f64, count: f64) -> Self {
-        let count = whole(count);
+        let count = count_of(count);
         Self::TooMany { what, value, count }
     }
 }
 
 /// A count that was computed as a double, which is not negative.
-pub(crate) fn whole(count: f64) -> u64 {
+pub(crate) fn count_of(count: f64) -> u64 {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "not negative, and the cast saturates"
     )]
-    let whole = count as u64;
-    whole
+    let count = count as u64;
+    count
 }

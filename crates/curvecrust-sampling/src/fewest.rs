@@ -1,37 +1,41 @@
 //! The fewest samples: certified greedy sampling from the best of all starts.
 //!
-//! Whether greedy is optimal. Write J(a) for the last dense point up to which the condition holds from a.
+//! Whether greedy is optimal. Write J(a) for the last dense point up to which the condition holds
+//! from a.
 //!
-//! *Epsilon below 1, and rho up to 1, without a limit: yes.* Parts of an interval that holds hold. For
-//! a curve point p, the open disc of radius lfs(p) meets the curve in one arc, along which the distance to p
-//! grows from p to either side; otherwise a smaller disc about p would meet the curve in two pieces and
-//! contain a point of the medial axis (Amenta, Bern, Eppstein 1998). If p has an end of its interval nearer
-//! than epsilon lfs(p), or than rho reach, which are at most lfs(p), then an end that is moved towards p
-//! is nearer still, and the reach is no smaller. So J(a) never decreases with a, and by induction the i-th
-//! sample of greedy from a is at least as far along as that of any other sampling that has a sample at
-//! a: on an open component, which has one at its start, none has fewer samples. A closed component
-//! has some sample somewhere, so the best of all starts is optimal; any other start needs one more at most.
-//! All this is among samplings at dense points, and as far as lfs is right.
+//! *Epsilon below 1, and rho up to 1, without a limit: yes.* Parts of an interval that holds hold.
+//! For a curve point p, the open disc of radius lfs(p) meets the curve in one arc, along which the
+//! distance to p grows from p to either side; otherwise a smaller disc about p would meet the curve
+//! in two pieces and contain a point of the medial axis (Amenta, Bern, Eppstein 1998). If p has an
+//! end of its interval nearer than epsilon lfs(p), or than rho reach, which are at most lfs(p),
+//! then an end that is moved towards p is nearer still, and the reach is no smaller. So J(a) never
+//! decreases with a, and by induction the i-th sample of greedy from a is at least as far along as
+//! that of any other sampling that has a sample at a: on an open component, which has one at its
+//! start, none has fewer samples. A closed component has some sample somewhere, so the best of all
+//! starts is optimal; any other start needs one more at most. All this is among samplings at dense
+//! points, and as far as lfs is right.
 //!
-//! *With a Hausdorff limit: no.* The chord from crest to trough of a gentle wave may pass near enough to
-//! all of it where the chord from crest to crest does not: parts of what holds need not hold, the
-//! farthest next sample may be a bad one, and greedy may take more samples than need be (6 for 4 in the test
-//! `greedy_is_not_optimal_with_a_limit`). What is returned is the best greedy sampling over all starts.
+//! *With a Hausdorff limit: no.* The chord from crest to trough of a gentle wave may pass near
+//! enough to all of it where the chord from crest to crest does not: parts of what holds need not
+//! hold, the farthest next sample may be a bad one, and greedy may take more samples than need be
+//! (6 for 4 in the test `greedy_is_not_optimal_with_a_limit`). What is returned is the best greedy
+//! sampling over all starts.
 //!
-//! Closed components without a limit: every sampling has a sample behind the first and up to the second of two
-//! consecutive greedy ones, or its interval across them would hold on beyond J. Greedy starts from all dense
-//! points there, at the two samples with the fewest between them; walks that meet go on as one, since the start
-//! that is farthest back needs no more steps than the others. Cost: O(n log n) at most, seldom a tenth of n steps.
-//! With a limit: J for every dense point, then jumps of 2^i steps by doubling, and the smallest number of steps
-//! that goes round from any start. Cost: O(n log n).
+//! Closed components without a limit: every sampling has a sample behind the first and up to the
+//! second of two consecutive greedy ones, or its interval across them would hold on beyond J.
+//! Greedy starts from all dense points there, at the two samples with the fewest between them;
+//! walks that meet go on as one, since the start that is farthest back needs no more steps than the
+//! others. Cost: O(n log n) at most, seldom a tenth of n steps. With a limit: J for every dense
+//! point, then jumps of 2^i steps by doubling, and the smallest number of steps that goes round
+//! from any start. Cost: O(n log n).
 
 use curvecrust_medial_axis::MeasuredCurve;
 use rayon::prelude::*;
 
+use crate::arcs::Arcs;
 use crate::certified::{certified, walk};
 use crate::condition::Condition;
 use crate::error::SamplingError;
-use crate::gaps::Gaps;
 use crate::sampling::{SampleOptions, Sampling};
 
 /// Starts in a row, each of which helps the next; one item of progress.
@@ -40,9 +44,10 @@ const CHUNK: usize = 2048;
 /// Samples every component of a curve with the fewest samples of all starts of certified
 /// [greedy sampling](crate::sample).
 ///
-/// Without a Hausdorff limit no certified sampling at these dense points has fewer samples; with one, there are
-/// no more than from any one dense point. Of equally good starts always the same is taken, the first dense
-/// point if it is one; the samples of each component are in the order of its dense points.
+/// Without a Hausdorff limit no certified sampling at these dense points has fewer samples; with
+/// one, there are no more than from any one dense point. Of equally good starts always the same is
+/// taken, the first dense point if it is one; the samples of each component are in the order of its
+/// dense points.
 ///
 /// # Errors
 /// Those of [`sample`](crate::sample).
@@ -78,45 +83,45 @@ pub fn sample_fewest_with(
 ) -> Result<Sampling, SamplingError> {
     let (progress, total) = (options.progress, measured.dense().len());
     progress.report(0, total);
-    certified(measured, condition, |gaps| {
-        let on_component = |done: usize| progress.report(gaps.component.range.start + done, total);
-        let positions = positions(gaps, condition, &on_component)?;
-        progress.report(gaps.component.range.end, total);
+    certified(measured, condition, |arcs| {
+        let on_component = |done: usize| progress.report(arcs.component.range.start + done, total);
+        let positions = positions(arcs, condition, &on_component)?;
+        progress.report(arcs.component.range.end, total);
         Ok(positions)
     })
 }
 
 /// The positions of the fewest samples of a component, or a gap that is too long.
 pub(crate) fn positions(
-    gaps: &Gaps,
+    arcs: &Arcs,
     condition: Condition,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<usize>, usize> {
-    let mut positions = walk(gaps, condition, 0)?;
-    if gaps.component.closed {
+    let mut positions = walk(arcs, condition, 0)?;
+    if arcs.component.closed {
         let start = if condition.hausdorff_limit().is_some() {
-            best_start(&jumps(gaps, condition, progress)?)
+            best_start(&jumps(arcs, condition, progress)?)
         } else {
-            better_start(gaps, condition, &positions, progress).unwrap_or(0)
+            better_start(arcs, condition, &positions, progress).unwrap_or(0)
         };
-        let other = walk(gaps, condition, start)?;
+        let other = walk(arcs, condition, start)?;
         if other.len() < positions.len() {
-            positions = other.into_iter().map(|at| at % gaps.len()).collect();
+            positions = other.into_iter().map(|at| at % arcs.len()).collect();
             positions.sort_unstable();
         }
     }
     Ok(positions)
 }
 
-/// A start from which greedy takes one sample fewer than the given ones, those from 0; `None` if none does. Only
-/// without a Hausdorff limit.
+/// A start from which greedy takes one sample fewer than the given ones, those from 0; `None` if
+/// none does. Only without a Hausdorff limit.
 fn better_start(
-    gaps: &Gaps,
+    arcs: &Arcs,
     condition: Condition,
     positions: &[usize],
     progress: &dyn Fn(usize),
 ) -> Option<usize> {
-    let round = gaps.len();
+    let round = arcs.len();
     let pairs = positions.windows(2).map(|pair| (pair[0], pair[1]));
     let (from, to) = pairs.min_by_key(|(from, to)| to - from)?;
     // Where each walk starts, and where it is.
@@ -126,7 +131,7 @@ fn better_start(
         for [_, at] in &mut walks {
             let before = *at / round * round;
             let from = *at - before;
-            let found = gaps.farthest(condition, from, guess.max(before) - before, from + round);
+            let found = arcs.farthest(condition, from, guess.max(before) - before, from + round);
             *at = before + found.unwrap_or(from + 1);
             // Any guess gives the same; this one saves a fifth of the time.
             guess = *at + 1;
@@ -138,19 +143,20 @@ fn better_start(
     walks.iter().find(goes_round).map(|walk| walk[0] % round)
 }
 
-/// How far greedy jumps from every position of a closed component, in gaps; or a gap that is too long.
+/// How far greedy jumps from every position of a closed component, in gaps; or a gap that is too
+/// long.
 fn jumps(
-    gaps: &Gaps,
+    arcs: &Arcs,
     condition: Condition,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<usize>, usize> {
-    let round = gaps.len();
-    let too_long = |&gap: &usize| !gaps.holds(condition, gap, gap + 1);
+    let round = arcs.len();
+    let too_long = |&gap: &usize| !arcs.holds(condition, gap, gap + 1);
     if let Some(gap) = (0..round).into_par_iter().find_first(too_long) {
         return Err(gap);
     }
     let mut jumps = vec![0; round];
-    // A batch of chunks at a time, so that progress is told in order.
+    // A batch of chunks at a time, so that progress is reported in order.
     let batch = 16 * CHUNK;
     for (index, part) in jumps.chunks_mut(batch).enumerate() {
         let chunks = part.par_chunks_mut(CHUNK).enumerate();
@@ -159,7 +165,7 @@ fn jumps(
             let mut to = first;
             for (from, jump) in (first..).zip(jumps) {
                 // Most often one farther than from the position before.
-                let found = gaps.farthest(condition, from, to + 1, from + round);
+                let found = arcs.farthest(condition, from, to + 1, from + round);
                 to = found.unwrap_or(from + 1);
                 *jump = to - from;
             }
@@ -223,17 +229,17 @@ mod tests {
                 ..MeasureOptions::default()
             };
             let measured = measure_with(&curve, &options).unwrap();
-            let gaps = &Gaps::of(&measured)[0];
+            let arcs = &Arcs::of(&measured)[0];
             for b in [0.9, 0.7, 0.5, 0.4, 0.3, 0.25] {
                 let limit = 0.002 * curve.extent();
                 for condition in [Condition::rho(b).unwrap(), Condition::epsilon(b).unwrap()] {
                     for condition in [condition, condition.with_hausdorff_limit(limit).unwrap()] {
-                        let from = |start| walk(gaps, condition, start).unwrap().len();
-                        let counts = (0..gaps.len()).map(from);
+                        let from = |start| walk(arcs, condition, start).unwrap().len();
+                        let counts = (0..arcs.len()).map(from);
                         let (least, most) = counts.fold((usize::MAX, 0), |(least, most), n| {
                             (least.min(n), most.max(n))
                         });
-                        let found = positions(gaps, condition, &|_| ()).unwrap();
+                        let found = positions(arcs, condition, &|_| ()).unwrap();
                         assert_eq!(found.len(), least, "{condition:?}");
                         differ += usize::from(least < most);
                     }

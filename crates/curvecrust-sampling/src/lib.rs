@@ -1,18 +1,19 @@
 //! Sampling of smooth plane curves, as sparsely as a reconstruction theorem allows.
 //!
-//! The epsilon-samples of N. Amenta, M. Bern, D. Eppstein, GMIP 1998, and the reach-based rho-samples of S. Ohrhallinger, S. A. Mitchell,
-//! M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP 2016.
+//! The epsilon-samples of N. Amenta, M. Bern, D. Eppstein, GMIP 1998, and the reach-based
+//! rho-samples of S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer
+//! Samples*, SGP 2016.
 //!
 //! | module | what it gives | source |
 //! |---|---|---|
 //! | [`condition`] | [`Condition`]: epsilon or rho, with an optional Hausdorff limit | Definitions 1 and 3 |
-//! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | Section 8.2 |
+//! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | |
 //! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
 //! | [`pieces`] | [`sample_split`]: certified on each smooth piece of a curve with corners | |
 //! | [`verified`] | [`sample_verified`]: as few as an algorithm still reconstructs, without guarantee | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
-//! | [`noise`] | [`with_noise`], [`with_outliers`]: samples that went wrong | |
+//! | [`noise`] | [`with_noise`], [`with_outliers`]: samples with errors | |
 //! | [`placed`] | [`PlacedSamples`]: samples of any origin, by their places on a curve | |
 //! | [`dense_points`] | [`sample_at_dense_points`], and [`sample_as_published`] as the authors' program does it: tested at dense points only | Section 8.2 |
 //! | [`sampling`] | [`Sampling`]: what every sampler returns | |
@@ -34,19 +35,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arcs;
 pub mod certified;
 pub mod check;
 pub mod condition;
 pub mod dense_points;
 pub mod error;
 pub mod fewest;
-mod gaps;
-mod interval;
+
 pub mod noise;
 pub mod pieces;
 pub mod placed;
 pub mod sampled_curve;
 pub mod sampling;
+mod slack;
 pub mod theory;
 pub mod uneven;
 pub mod verified;

@@ -1,4 +1,4 @@
-//! Samples that went wrong: seeded noise and outliers, for what reconstructions make of them.
+//! Samples with errors: seeded noise and outliers, to try reconstructions on.
 
 use curvecrust_geometry::{DVec2, Random};
 
@@ -10,8 +10,8 @@ use crate::sampling::Sampling;
 pub struct Noise {
     /// The distribution of the displacements; Gaussian by default.
     pub shape: NoiseShape,
-    /// Its size: the standard deviation of either coordinate, or the radius of the disc. A tenth of lfs by
-    /// default.
+    /// Its size: the standard deviation of either coordinate, or the radius of the disc. A tenth of
+    /// lfs by default.
     pub size: NoiseSize,
     /// Where the random numbers begin: the same seed gives the same points. 0 by default.
     pub seed: u64,
@@ -32,7 +32,8 @@ impl Default for Noise {
 pub struct Outliers {
     /// How many; none by default.
     pub count: usize,
-    /// How far beyond the bounding box of the points they may be, as a fraction of its larger side; 0 by default.
+    /// How far beyond the bounding box of the points they may be, as a fraction of its larger side;
+    /// 0 by default.
     pub margin: f64,
     /// Where the random numbers begin: the same seed gives the same points. 0 by default.
     pub seed: u64,
@@ -113,8 +114,8 @@ fn in_disc(random: &mut Random) -> (DVec2, f64) {
     }
 }
 
-/// The points, and after them outliers that are uniform in their bounding box, widened on all sides by the
-/// margin. No points have no outliers.
+/// The points, and after them outliers that are uniform in their bounding box, widened on all sides
+/// by the margin. No points have no outliers.
 ///
 /// # Errors
 /// [`Parameter`](SamplingError::Parameter) if the margin is negative or not finite.

@@ -1,25 +1,25 @@
 //! Sampling of curves with corners: every smooth piece by itself, with the corners as samples.
 //!
-//! The condition holds at every point of every piece, with the lfs of
-//! [`measure_pieces`](curvecrust_medial_axis::pieces), which says what that means and where theory ends. A
-//! reconstruction from the samples of all pieces is guaranteed by no theorem, unlike that of a smooth curve, and is
-//! to be checked by running it. What is done for it:
+//! The condition holds at every point of every piece, with the lfs that
+//! [`measure_pieces`](curvecrust_medial_axis::pieces) defines. No theorem guarantees a
+//! reconstruction from the samples of all pieces: run it to see. Two steps make it likely:
 //!
-//! - A corner c is a sample. HNN-Crust joins it to its neighbours s and t on both arms only if the angle there is
-//!   wider than 60 degrees and both are nearer to c than to each other (|cs|, |ct| < |st|). Where they are not, the
-//!   longer arm gets a sample at the distance of the other one.
-//! - A piece is sampled with the smallest bound that needs no more samples, so that they are spread evenly and
-//!   none is left over close to the corner.
+//! - A corner c is a sample. HNN-Crust joins it to its neighbours s and t on both arms only if the
+//!   angle there is wider than 60 degrees and both are nearer to c than to each other: |cs| < |st|
+//!   and |ct| < |st|. Where they are not, the longer arm gets one more sample, as far from c as the
+//!   neighbour on the other arm.
+//! - A piece is sampled with the smallest bound that needs no more samples. So they are spread
+//!   evenly, and none is left over close to the corner.
 
 use curvecrust_curve::{Corner, SplitCurve};
 use curvecrust_medial_axis::{MeasurePiecesOptions, MeasuredCurve, measure_pieces_with};
 
+use crate::arcs::Arcs;
 use crate::certified::{as_finely_as_needed, certified, walk};
 use crate::check::Interval;
 use crate::condition::Condition;
 use crate::error::SamplingError;
 use crate::fewest;
-use crate::gaps::Gaps;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
 use crate::sampling::{SampleOptions, Sampling};
 
@@ -27,19 +27,20 @@ use crate::sampling::{SampleOptions, Sampling};
 const LEAST_ANGLE: f64 = 60.0;
 /// Distances from a corner below this ratio are the same: dense points allow no better.
 const ALIKE: f64 = 1.02;
-/// So often is the range of bounds halved that need as many samples.
+/// How often the range of bounds that need the same number of samples is halved.
 const HALVINGS: usize = 8;
 
-/// Discretises the pieces of a curve as finely as the condition asks for, and samples each from one corner to the
-/// next; components without a corner from the best of all starts.
+/// Discretises the pieces of a curve as finely as the condition asks for, and samples each from one
+/// corner to the next; components without a corner from the best of all starts.
 ///
-/// The components of the samples are those of the curve; a corner is a sample once, with the parameter and the
-/// dense point that start the piece after it. The components of the measured curve are the pieces, so that the
-/// last sample of a piece before a corner is not among its own dense points. What is attained is the largest
-/// value on any piece.
+/// The components of the samples are those of the curve; a corner is a sample once, with the
+/// parameter and the dense point that start the piece after it. The components of the measured
+/// curve are the pieces, so that the last sample of a piece before a corner is not among its own
+/// dense points. What is attained is the largest value on any piece.
 ///
 /// # Errors
-/// [`SharpCorners`](SamplingError::SharpCorners), and those of [`sample_curve`](crate::sample_curve).
+/// [`SharpCorners`](SamplingError::SharpCorners), and those of
+/// [`sample_curve`](crate::sample_curve).
 ///
 /// ```
 /// use curvecrust_curve::SplitCurve;
@@ -58,8 +59,8 @@ pub fn sample_split(split: &SplitCurve, condition: Condition) -> Result<Sampling
     sample_split_with(split, condition, &SampleOptions::default())
 }
 
-/// [`sample_split`] by the given [options](SampleOptions). The progress is that of [`measure_pieces_with`], once
-/// for every discretisation that is tried.
+/// [`sample_split`] by the given [options](SampleOptions). The progress is that of
+/// [`measure_pieces_with`], once for every discretisation that is tried.
 ///
 /// # Errors
 /// Those of [`sample_split`].
@@ -99,25 +100,25 @@ fn sample_pieces(
     measured: &MeasuredCurve,
     condition: Condition,
 ) -> Result<Sampling, SamplingError> {
-    let all = Gaps::of(measured);
+    let all = Arcs::of(measured);
     let mut piece = 0..;
-    // What cannot be sampled is told by this.
-    let first = certified(measured, condition, |gaps| {
+    // This fails where a piece cannot be sampled.
+    let first = certified(measured, condition, |arcs| {
         let is_cut = piece
             .next()
             .is_some_and(|piece| split.meetings(piece) != [None; 2]);
         if is_cut {
-            even(gaps, condition)
+            even(arcs, condition)
         } else {
-            fewest::positions(gaps, condition, &|_| ())
+            fewest::positions(arcs, condition, &|_| ())
         }
     })?;
     let places = first.samples.components().iter().zip(&all);
     let mut positions: Vec<Vec<usize>> = places
-        .map(|(component, gaps)| {
+        .map(|(component, arcs)| {
             let here = &first.samples.dense_indices()[component.range.clone()];
             here.iter()
-                .map(|dense| dense - gaps.component.range.start)
+                .map(|dense| dense - arcs.component.range.start)
                 .collect()
         })
         .collect();
@@ -129,12 +130,12 @@ fn sample_pieces(
 }
 
 /// Greedy samples of an open piece by the smallest bound that needs as many of them.
-fn even(gaps: &Gaps, condition: Condition) -> Result<Vec<usize>, usize> {
-    let mut best = walk(gaps, condition, 0)?;
+fn even(arcs: &Arcs, condition: Condition) -> Result<Vec<usize>, usize> {
+    let mut best = walk(arcs, condition, 0)?;
     let (mut low, mut high) = (0.0, condition.bound().value());
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
-        match walk(gaps, condition.with_value(middle), 0) {
+        match walk(arcs, condition.with_value(middle), 0) {
             Ok(found) if found.len() <= best.len() => (best, high) = (found, middle),
             _ => low = middle,
         }
@@ -142,11 +143,11 @@ fn even(gaps: &Gaps, condition: Condition) -> Result<Vec<usize>, usize> {
     Ok(best)
 }
 
-/// Adds a sample beside the first corner that is nearer to a neighbour than its neighbours are to each other;
-/// whether there was one.
+/// Adds a sample beside the first corner that is nearer to a neighbour than its neighbours are to
+/// each other; whether there was one.
 fn balance(
     split: &SplitCurve,
-    all: &[Gaps],
+    all: &[Arcs],
     condition: Condition,
     positions: &mut [Vec<usize>],
 ) -> bool {
@@ -183,10 +184,11 @@ fn balance(
     false
 }
 
-/// Makes a position a sample before that of an index; whether it was far enough from both of its neighbours to be
-/// new. With a Hausdorff limit, a part of what holds need not hold, and may get more samples.
+/// Makes a position a sample before that of an index; whether it was far enough from both of its
+/// neighbours to be new. With a Hausdorff limit, a part of what holds need not hold, and may get
+/// more samples.
 fn insert(
-    gaps: &Gaps,
+    arcs: &Arcs,
     condition: Condition,
     positions: &mut Vec<usize>,
     index: usize,
@@ -197,7 +199,7 @@ fn insert(
     for end in [at, to] {
         let mut last = between[between.len() - 1];
         while last < end {
-            let Some(next) = gaps.farthest(condition, last, end, end) else {
+            let Some(next) = arcs.farthest(condition, last, end, end) else {
                 return false;
             };
             between.push(next);

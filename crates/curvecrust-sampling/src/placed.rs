@@ -17,15 +17,16 @@ pub struct Placement {
     pub point: DVec2,
     /// Index of the dense point at it or before it.
     pub dense: usize,
-    /// How far along the gap after that point, in [0, 1): its fraction of the chord. 0 at an open end.
+    /// How far along the gap after that point, in [0, 1): its fraction of the chord. 0 at an open
+    /// end.
     pub t: f64,
 }
 
 /// Samples in the order of a dense curve.
 ///
 /// # Guarantees
-/// The samples of each component follow each other along it, each once, and come before those of the
-/// next component. On a closed component the first of them may be anywhere.
+/// The samples of each component follow each other along it, each once, and come before those of
+/// the next component. On a closed component the first of them may be anywhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedSamples {
     placements: Vec<Placement>,
@@ -34,13 +35,14 @@ pub struct PlacedSamples {
 
 /// Bare points that were projected to a curve.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Projected {
     /// The samples, in the order of the curve.
     pub samples: PlacedSamples,
     /// For each sample the index of the point that it was.
     pub indices: Vec<usize>,
-    /// For each sample its distance to the polygon of the dense points, of which the curve is within
-    /// about an eighth of (gap / lfs)^2 lfs.
+    /// For each sample its distance to the polygon of the dense points, of which the curve is
+    /// within about an eighth of (gap / lfs)^2 lfs.
     pub distances: Vec<f64>,
 }
 
@@ -48,8 +50,8 @@ impl PlacedSamples {
     /// Takes samples that are in the order of the curve already.
     ///
     /// # Errors
-    /// [`NoSuchPlace`](SamplingError::NoSuchPlace) and [`OutOfOrder`](SamplingError::OutOfOrder), for
-    /// the first sample at fault.
+    /// [`NoSuchPlace`](SamplingError::NoSuchPlace) and [`OutOfOrder`](SamplingError::OutOfOrder),
+    /// for the first sample at fault.
     pub fn new(
         measured: &MeasuredCurve,
         placements: Vec<Placement>,
@@ -107,8 +109,8 @@ impl PlacedSamples {
     /// Takes the samples of a sampler, on the dense curve that it was given.
     ///
     /// # Errors
-    /// [`NoSuchPlace`](SamplingError::NoSuchPlace) or [`OffCurve`](SamplingError::OffCurve) if they are
-    /// of another dense curve.
+    /// [`NoSuchPlace`](SamplingError::NoSuchPlace) or [`OffCurve`](SamplingError::OffCurve) if they
+    /// are of another dense curve.
     pub fn of(measured: &MeasuredCurve, sampled: &SampledCurve) -> Result<Self, SamplingError> {
         let points = measured.dense().points();
         let placements = Self::at_dense_points(sampled).placements;
@@ -144,8 +146,9 @@ impl PlacedSamples {
     ///
     /// # Errors
     /// [`Parameter`](SamplingError::Parameter) for a tolerance that is no length,
-    /// [`OffCurve`](SamplingError::OffCurve) for the first point that is farther than the tolerance, and
-    /// [`SamePlace`](SamplingError::SamePlace) for points that have the same projection.
+    /// [`OffCurve`](SamplingError::OffCurve) for the first point that is farther than the
+    /// tolerance, and [`SamePlace`](SamplingError::SamePlace) for points that have the same
+    /// projection.
     pub fn project(
         measured: &MeasuredCurve,
         points: &[DVec2],

@@ -15,6 +15,7 @@ pub struct SampledCurve {
 
 /// The interval of a closed component from its last sample back to its first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ClosingInterval {
     /// Index of the component.
     pub component: usize,
@@ -102,5 +103,20 @@ impl SampledCurve {
 
     pub(crate) fn push_closing(&mut self, interval: ClosingInterval) {
         self.closing_intervals.push(interval);
+    }
+}
+
+impl AsRef<[DVec2]> for SampledCurve {
+    fn as_ref(&self) -> &[DVec2] {
+        &self.points
+    }
+}
+
+impl<'a> IntoIterator for &'a SampledCurve {
+    type Item = &'a DVec2;
+    type IntoIter = std::slice::Iter<'a, DVec2>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.points.iter()
     }
 }

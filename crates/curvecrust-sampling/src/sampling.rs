@@ -3,13 +3,14 @@
 use curvecrust_geometry::Progress;
 use curvecrust_medial_axis::MeasuredCurve;
 
+use crate::arcs::Arcs;
 use crate::check::{self, Attained};
 use crate::condition::{Bound, Condition};
-use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
 
-/// Samples of a curve, and what they were chosen by. Each sampler says what is certain of them.
+/// Samples of a curve, and what they were chosen by. The docs of each sampler say what it
+/// guarantees.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Sampling {
@@ -19,8 +20,8 @@ pub struct Sampling {
     pub measured: MeasuredCurve,
     /// The condition that was asked for; `None` of samplers that take none.
     pub condition: Option<Condition>,
-    /// The largest epsilon that the samples attain if the condition bounds epsilon, otherwise the largest rho,
-    /// and where. `None` for a curve without points.
+    /// The largest epsilon that the samples attain if the condition bounds epsilon, otherwise the
+    /// largest rho, and where. `None` for a curve without points.
     pub attained: Option<Attained>,
 }
 
@@ -32,17 +33,18 @@ pub struct SampleOptions<'a> {
 }
 
 impl Sampling {
-    /// Samples that are dense points of the measured curve, in its order, with those of each of its components.
+    /// Samples that are dense points of the measured curve, in its order, with those of each of its
+    /// components.
     pub(crate) fn new(
         measured: &MeasuredCurve,
-        gaps: &[Gaps],
+        arcs: &[Arcs],
         samples: SampledCurve,
         condition: Option<Condition>,
     ) -> Self {
         let placed = PlacedSamples::at_dense_points(&samples);
         let kind = condition.map_or(Bound::Rho(1.0), Condition::bound);
         Self {
-            attained: check::attained(gaps, &placed, kind),
+            attained: check::attained(arcs, &placed, kind),
             samples,
             measured: measured.clone(),
             condition,

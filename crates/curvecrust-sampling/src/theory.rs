@@ -1,7 +1,8 @@
 //! What a sampling bound implies, in closed form.
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
-//! 2016: Lemmas 8 to 10, Theorem 1 and the columns of Table 1. Angles are in radians.
+//! 2016: Lemmas 8 to 10, Theorem 1 and the columns of Table 1, as the paper states them. Angles are
+//! in radians.
 
 use std::f64::consts::{PI, TAU};
 
@@ -63,7 +64,8 @@ mod tests {
         (a - b).abs() < 1e-12
     }
 
-    /// On regular polygons, whose samples are as far as the bound from the middle of the arc between them.
+    /// On regular polygons, whose samples are as far as the bound from the middle of the arc
+    /// between them.
     #[test]
     fn circles_attain_what_bounds_imply() {
         for n in (3..50u32).map(f64::from) {
@@ -75,7 +77,8 @@ mod tests {
         }
     }
 
-    /// Two lines at distance 2, where lfs is 1: samples 2 b apart on either, 2 / 2 b of them along 2 on each.
+    /// Two lines at distance 2, where lfs is 1: samples 2 b apart on either, 2 / 2 b of them along
+    /// 2 on each.
     #[test]
     fn lines_have_closed_forms() {
         for b in [0.1, 0.47, 0.9] {

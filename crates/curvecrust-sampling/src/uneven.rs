@@ -1,20 +1,21 @@
-//! Samplings to compare with: at equal lengths of arc, and unevenly thinned.
+//! Samplings for comparison: at equal lengths of arc, and with random steps.
 
 use curvecrust_geometry::{Component, Random};
 use curvecrust_medial_axis::MeasuredCurve;
 
+use crate::arcs::Arcs;
 use crate::certified::certified;
 use crate::condition::Condition;
-use crate::error::{SAMPLE_LIMIT, SamplingError, whole};
-use crate::gaps::Gaps;
+use crate::error::{SAMPLE_LIMIT, SamplingError, count_of};
 use crate::sampled_curve::SampledCurve;
 use crate::sampling::Sampling;
 
 /// Samples every component at equal lengths of arc, as near to `step` as goes, whatever its lfs.
 ///
-/// Each sample is the dense point nearest to its place along the dense polygon. Closed components begin
-/// at their first dense point and have three samples at least, open ones have both ends; none has more than
-/// dense points. There is no condition that the samples are to hold; what rho they attain is in the result.
+/// Each sample is the dense point nearest to its place along the dense polygon. Closed components
+/// begin at their first dense point and have three samples at least, open ones have both ends; none
+/// has more than dense points. There is no condition that the samples are to hold; what rho they
+/// attain is in the result.
 ///
 /// # Errors
 /// [`Parameter`](SamplingError::Parameter) if the step is no length above 0,
@@ -56,7 +57,7 @@ pub fn sample_uniformly(measured: &MeasuredCurve, step: f64) -> Result<Sampling,
     for (component, along) in components.iter().zip(&lengths) {
         let length = along.last().copied().unwrap_or(0.0);
         let least = if component.closed { 3 } else { 1 };
-        let parts = whole((length / step).round()).max(least);
+        let parts = count_of((length / step).round()).max(least);
         let at_end = if component.closed { 0 } else { 1 };
         let place = |k: u64| nearest(along, length * k as f64 / parts as f64);
         let mut places: Vec<usize> = (0..parts + at_end).map(place).collect();
@@ -66,7 +67,7 @@ pub fn sample_uniformly(measured: &MeasuredCurve, step: f64) -> Result<Sampling,
         let indices = places.iter().map(|at| component.range.start + at);
         sampled.push_component(measured.dense(), indices, component.closed);
     }
-    Ok(Sampling::new(measured, &Gaps::of(measured), sampled, None))
+    Ok(Sampling::new(measured, &Arcs::of(measured), sampled, None))
 }
 
 /// The position of the value nearest to one, in ascending values.
@@ -84,8 +85,8 @@ fn nearest(ascending: &[f64], value: f64) -> usize {
 /// How [`sample_unevenly_with`] goes about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnevenOptions {
-    /// The shortest step as a fraction of the greedy one, above 0 and at most 1; a half by default. With 1 all
-    /// steps are greedy, as in [`sample`](crate::sample).
+    /// The shortest step as a fraction of the greedy one, above 0 and at most 1; a half by default.
+    /// With 1 all steps are greedy, as in [`sample`](crate::sample).
     pub fraction: f64,
     /// Where the random numbers begin: the same seed gives the same samples. 0 by default.
     pub seed: u64,
@@ -100,8 +101,8 @@ impl Default for UnevenOptions {
     }
 }
 
-/// Samples that satisfy a condition, unevenly: each next one is anywhere between half of the greedy step and
-/// all of it, at random but always the same.
+/// Samples that satisfy a condition, unevenly: each next one is anywhere between half of the greedy
+/// step and all of it, at random but always the same.
 ///
 /// # Errors
 /// Those of [`sample`](crate::sample).
@@ -115,7 +116,8 @@ pub fn sample_unevenly(
 /// [`sample_unevenly`] by the given [options](UnevenOptions).
 ///
 /// # Errors
-/// [`Parameter`](SamplingError::Parameter) for a fraction out of range, and those of [`sample`](crate::sample).
+/// [`Parameter`](SamplingError::Parameter) for a fraction out of range, and those of
+/// [`sample`](crate::sample).
 pub fn sample_unevenly_with(
     measured: &MeasuredCurve,
     condition: Condition,
@@ -130,16 +132,16 @@ pub fn sample_unevenly_with(
         });
     }
     let mut random = Random::new(seed);
-    certified(measured, condition, |gaps| {
+    certified(measured, condition, |arcs| {
         let (mut positions, mut guess) = (vec![0], 1);
-        let (mut from, end) = (0, gaps.len());
+        let (mut from, end) = (0, arcs.len());
         while from < end {
-            let farthest = gaps.farthest(condition, from, guess, end).ok_or(from)?;
+            let farthest = arcs.farthest(condition, from, guess, end).ok_or(from)?;
             let share = random.fine_between(fraction, 1.0) * (farthest - from) as f64;
-            let step = usize::try_from(whole(share.ceil())).unwrap_or(usize::MAX);
+            let step = usize::try_from(count_of(share.ceil())).unwrap_or(usize::MAX);
             let to = from.saturating_add(step).min(farthest);
             // With a Hausdorff limit, a part of what holds need not hold.
-            let to = if gaps.holds(condition, from, to) {
+            let to = if arcs.holds(condition, from, to) {
                 to
             } else {
                 farthest
@@ -148,7 +150,7 @@ pub fn sample_unevenly_with(
             positions.push(to);
             from = to;
         }
-        if gaps.component.closed {
+        if arcs.component.closed {
             positions.pop();
         }
         Ok(positions)

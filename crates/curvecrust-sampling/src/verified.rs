@@ -1,14 +1,16 @@
 //! Beyond the bound: as few samples as an algorithm still reconstructs.
 //!
-//! A sampling condition is enough, seldom necessary: HNN-Crust returns the manifold boundary from far
-//! fewer samples than a rho below 0.9 asks for, if they are the right ones. Here samples are removed, merged
-//! and moved along the curve, at random but seeded, as long as the algorithm returns exactly the manifold
-//! boundary and the curve stays near the chords. What is found is verified for this sample set. It is
-//! guaranteed for no other: not for a rotated one, when distances are nearly equal, nor with one sample more.
+//! A sampling condition is sufficient and seldom necessary: HNN-Crust returns the manifold boundary
+//! from far fewer samples than rho < 0.9 asks for, if they are the right ones. A local search
+//! removes, merges and moves samples along the curve, at random but seeded, as long as the
+//! algorithm returns exactly the manifold boundary and the curve stays near the chords.
 //!
-//! For HNN-Crust, a step looks only at the choices that it can change: a sample that is removed was chosen
-//! by its two neighbours alone, one that is added concerns those that it is near enough to. Cost of a step: O(k)
-//! for k samples. Other algorithms run in full.
+//! The result is verified for this sample set and guaranteed for no other: not for a rotated one,
+//! when distances are nearly equal, nor for one with another sample.
+//!
+//! For HNN-Crust, a step checks only the choices that it can change. A sample that is removed was
+//! chosen by its two neighbours alone; one that is added matters to samples that it is near enough
+//! to. Cost of a step: O(k) for k samples. Other algorithms run in full.
 
 mod chain;
 mod oracle;
@@ -17,9 +19,9 @@ mod search;
 use curvecrust_geometry::Progress;
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
+use crate::arcs::Arcs;
 use crate::condition::DeviationLimit;
 use crate::error::SamplingError;
-use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
 use crate::sampling::Sampling;
@@ -33,11 +35,11 @@ use search::Search;
 pub struct VerifyOptions<'a> {
     /// The algorithm that has to return the manifold boundary; HNN-Crust by default.
     pub algorithm: &'a dyn Reconstructor,
-    /// How far the curve may be from the chord between consecutive samples, everywhere; by default nearer than
-    /// lfs, so that no chord gets across the medial axis.
+    /// How far the curve may be from the chord between consecutive samples, everywhere; by default
+    /// nearer than lfs, so that no chord gets across the medial axis.
     pub deviation: DeviationLimit,
-    /// How often all samples are moved at random to find more that can go. Some 100 find most, a few 1000
-    /// nearly all; 300 by default.
+    /// How often all samples are moved at random to find more that can go. Some 100 find most, a
+    /// few 1000 nearly all; 300 by default.
     pub rounds: usize,
     /// Where the random numbers begin: the same seed gives the same samples. 1 by default.
     pub seed: u64,
@@ -57,16 +59,17 @@ impl Default for VerifyOptions<'_> {
     }
 }
 
-/// Takes samples away from `start`, and moves others along the curve, as long as HNN-Crust returns exactly the
-/// [manifold boundary](SampledCurve::manifold_boundary), and the curve is nearer to it than lfs.
+/// Takes samples away from `start`, and moves others along the curve, as long as HNN-Crust returns
+/// exactly the [manifold boundary](SampledCurve::manifold_boundary), and the curve is nearer to it
+/// than lfs.
 ///
-/// A closed component keeps three samples, an open one both ends. The condition of `start` need not hold for
-/// what is left, which may attain more than its bound.
+/// A closed component keeps three samples, an open one both ends. The condition of `start` need not
+/// hold for what is left, which may attain more than its bound.
 ///
 /// # Errors
-/// [`NotReconstructed`](SamplingError::NotReconstructed) if the algorithm does not return the manifold
-/// boundary of `start`, [`LimitExceeded`](SamplingError::LimitExceeded) if `start` does not keep the
-/// limit, and what [`PlacedSamples::of`] finds.
+/// [`NotReconstructed`](SamplingError::NotReconstructed) if the algorithm does not return the
+/// manifold boundary of `start`, [`LimitExceeded`](SamplingError::LimitExceeded) if `start` does
+/// not keep the limit, and what [`PlacedSamples::of`] finds.
 ///
 /// ```
 /// use curvecrust_curve::Curve;
@@ -107,18 +110,18 @@ pub fn sample_verified_with(
     if !is_reconstructed(&start.samples, algorithm) {
         return Err(SamplingError::NotReconstructed { algorithm: name });
     }
-    let gaps = Gaps::of(measured);
+    let arcs = Arcs::of(measured);
     let chains = Chains::new(measured, &placed);
-    if let Some((component, dense)) = chains.beyond(&gaps, deviation) {
+    if let Some((component, dense)) = chains.beyond(&arcs, deviation) {
         return Err(SamplingError::LimitExceeded { component, dense });
     }
-    let oracle = Oracle::new(algorithm, deviation, &gaps);
+    let oracle = Oracle::new(algorithm, deviation, &arcs);
     let mut search = Search::new(chains, oracle, seed);
     search.shrink();
     let mut samples = search.chains().sampled(measured);
     for round in 0..rounds {
         progress.report(round, rounds);
-        search.shake();
+        search.perturb();
         search.shrink();
         if search.chains().len() < samples.len() {
             samples = search.chains().sampled(measured);
@@ -129,7 +132,7 @@ pub fn sample_verified_with(
     if !is_reconstructed(&samples, algorithm) {
         samples = start.samples.clone();
     }
-    Ok(Sampling::new(measured, &gaps, samples, start.condition))
+    Ok(Sampling::new(measured, &arcs, samples, start.condition))
 }
 
 fn is_reconstructed(sampled: &SampledCurve, algorithm: &dyn Reconstructor) -> bool {

@@ -21,7 +21,8 @@ use rayon::prelude::*;
 /// How many times finer the checker looks.
 const FINER: u32 = 10;
 
-/// Points of a curve, ten times as dense as those that were sampled and these among them, with their lfs.
+/// Points of a curve, ten times as dense as those that were sampled and these among them, with
+/// their lfs.
 struct Fine {
     dense: DenseCurve,
     lfs: LocalFeatureSize,
@@ -63,8 +64,8 @@ fn by(curve: &Curve, discretisation: Discretisation) -> Result<MeasuredCurve, Me
     measure_with(curve, &options)
 }
 
-/// The definitions, point by point. Returns the largest ratio of a length to what it has to be below:
-/// of distance and bound, and of distance to the polygon and limit.
+/// The definitions, point by point. Returns the largest ratio of a length to what it has to be
+/// below: of distance and bound, and of distance to the polygon and limit.
 fn brute_force(fine: &Fine, sampled: &SampledCurve, condition: Condition) -> [f64; 2] {
     let (points, lfs) = (fine.dense.points(), &fine.lfs);
     let mut worst = [0.0f64; 2];
@@ -128,7 +129,8 @@ fn conditions(extent: f64) -> [Condition; 5] {
     ]
 }
 
-/// Samples and re-checks; returns the largest ratio of brute force, and how many more samples than those tested at dense points.
+/// Samples and re-checks; returns the largest ratio of brute force, and how many more samples than
+/// those tested at dense points.
 fn recheck(name: &str, curve: &Curve, measured: &MeasuredCurve, fine: &Fine) -> [f64; 2] {
     let mut worst = [0.0f64; 2];
     for condition in conditions(curve.extent()) {
@@ -167,7 +169,8 @@ fn fixtures_hold_at_every_point() {
 
 #[test]
 fn fixtures_hold_by_lfs_measured_anew() {
-    // What lfs is wrong by at gaps of 0.02 is less than what is left of the bound between dense points.
+    // What lfs is wrong by at gaps of 0.02 is less than what is left of the bound between dense
+    // points.
     fixtures::curves().par_iter().for_each(|(name, curve)| {
         let measured = measured(curve, 0.02);
         let fine = Fine::by_its_own_axis(curve, &measured);
@@ -214,7 +217,8 @@ fn what_cannot_be_certified_is_refused() {
     let limited = |limit| rho.with_hausdorff_limit(limit).unwrap();
     let certified = sample_curve(&curve, limited(1e-6)).unwrap();
     assert!(certified.samples.len() > 1000);
-    // Without one dense point for each sample, and with one for many: whatever asks for too many is named.
+    // Without one dense point for each sample, and with one for many: whatever asks for too many is
+    // named.
     for (condition, name, least) in [
         (limited(1e-16), "the Hausdorff limit", 1e7),
         (Condition::rho(1e-7).unwrap(), "rho", 1e7),

@@ -87,8 +87,8 @@ fn stadiums_have_closed_forms() {
     }
 }
 
-/// The largest epsilon or rho of the intervals between samples, by definition, at dense points and of those that are
-/// to hold: all but closing intervals that are reported not to.
+/// The largest epsilon or rho of the intervals between samples, by definition, at dense points and
+/// of those that are to hold: all but closing intervals that are reported not to.
 fn at_dense_points(measured: &MeasuredCurve, sampled: &SampledCurve, bound: Bound) -> f64 {
     let (points, lfs) = (measured.dense().points(), measured.lfs());
     let mut worst = 0.0f64;

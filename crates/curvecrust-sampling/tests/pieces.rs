@@ -167,8 +167,8 @@ fn random_corners(random: &mut Random) -> SplitCurve {
     SplitCurve::new(vec![BezierPath::new(arcs.collect(), true)]).unwrap()
 }
 
-/// How many corners are farther from one of their neighbours than those are from each other, and clearly farther than
-/// from the other one: HNN-Crust would join the neighbours.
+/// How many corners are farther from one of their neighbours than those are from each other, and
+/// clearly farther than from the other one: HNN-Crust would join the neighbours.
 fn uneven_corners(split: &SplitCurve, sampling: &Sampling) -> usize {
     let points = sampling.samples.points();
     let at = |corner: DVec2| points.iter().position(|&p| p == corner).unwrap();

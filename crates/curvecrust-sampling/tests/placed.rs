@@ -76,7 +76,8 @@ fn a_sample_may_be_as_far_as_the_tolerance() {
     assert!(PlacedSamples::project(&line, &above, -0.25).is_err());
 }
 
-/// The last gap of a closed component begins at its last point; behind that of an open one there is none.
+/// The last gap of a closed component begins at its last point; behind that of an open one there is
+/// none.
 #[test]
 fn only_closed_components_go_on_behind_their_last_point() {
     let measured = curves();

@@ -185,8 +185,9 @@ fn holds_without(samples: &SampledCurve, removed: usize) -> bool {
     hnn_crust(&points) == EdgeSet::new(points.len(), edges)
 }
 
-/// On an arc of less than half a turn HNN-Crust joins any samples in order: the one in the middle of three sees
-/// the others at an obtuse angle, and nothing is in the half-plane of an end. So only the ends stay.
+/// On an arc of less than half a turn HNN-Crust joins any samples in order: the one in the middle
+/// of three sees the others at an obtuse angle, and nothing is in the half-plane of an end. So only
+/// the ends stay.
 #[test]
 fn of_an_arc_only_the_ends_stay() {
     let arc = Curve::from_path_data("M -40 9 A 41 41 0 0 1 40 9").unwrap();

@@ -20,8 +20,8 @@ const TASK: usize = 1 << 12;
 ///
 /// Exact: no point lies inside the circumcircle of a triangle. Where four or more points lie on one
 /// empty circle the triangulation is not unique; which one is built depends on the coordinates, not
-/// on the order of the points. Fewer than three points, or points on one line, have no triangle, but
-/// edges between neighbours on the line.
+/// on the order of the points. Fewer than three points, or points on one line, have no triangle,
+/// but edges between neighbours on the line.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
@@ -66,8 +66,8 @@ pub struct DualEdge {
 impl Delaunay {
     /// Triangulates the points, in O(n log n) expected time for points as they occur on curves.
     ///
-    /// The insertion starts from a triangle: as long as all points lie on one line, spade would look
-    /// at every one of them to insert the next.
+    /// The insertion starts from a triangle: as long as all points lie on one line, spade would
+    /// look at every one of them to insert the next.
     #[must_use]
     #[expect(
         clippy::expect_used,

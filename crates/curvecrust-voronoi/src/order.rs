@@ -20,9 +20,9 @@ const GROWTH: usize = 8;
 
 /// A biased randomised insertion order: every id once.
 ///
-/// The order depends on the coordinates alone, not on the order of the points, so that what is built
-/// from it does not either; and it stays the same when the points are scaled by a power of two or
-/// shifted exactly. The randomness has a fixed seed. Cost: O(n log n).
+/// The order depends on the coordinates alone, not on the order of the points, so that what is
+/// built from it does not either; and it stays the same when the points are scaled by a power of
+/// two or shifted exactly. The randomness has a fixed seed. Cost: O(n log n).
 #[must_use]
 pub fn brio_order(points: &PointSet) -> Vec<PointId> {
     let mut earlier = hilbert_order(points);

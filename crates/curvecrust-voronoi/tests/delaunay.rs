@@ -107,7 +107,8 @@ fn voronoi_vertices_of_the_largest_and_smallest_coordinates_are_finite() {
     assert!(delaunay.voronoi_vertices().iter().all(|v| v.is_finite()));
 }
 
-/// Spade would look at every point of the line for every other: a second, where this takes a millisecond.
+/// Spade would look at every point of the line for every other: a second, where this takes a
+/// millisecond.
 #[test]
 fn points_on_a_line_are_joined_in_their_order() {
     let count = 20_000u32;

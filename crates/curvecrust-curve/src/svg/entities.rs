@@ -1,12 +1,13 @@
 //! How large a document becomes when its entities are replaced.
 //!
-//! The reader of XML bounds how deep and how often entities refer to each other, but not how often a long one
-//! is used: a document of a megabyte could grow to a hundred gigabytes.
+//! The reader of XML bounds how deep and how often entities refer to each other, but not how often
+//! a long one is used: a document of a megabyte could grow to a hundred gigabytes.
 
 use std::collections::HashMap;
 
-/// The bytes that the general entities of an XML document stand for, each as often as it is referred
-/// to: at least as many as a reader would put into their places. Text that is no XML has none.
+/// The bytes that the general entities of an XML document stand for, each as often as it is
+/// referred to: at least as many as a reader would put into their places. Text that is no XML has
+/// none.
 ///
 /// ```
 /// use curvecrust_curve::svg::expansion;

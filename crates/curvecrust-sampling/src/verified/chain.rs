@@ -1,12 +1,12 @@
-//! The samples of all components, to be changed.
+//! The samples of all components, which the search changes.
 
 use std::ops::Range;
 
 use curvecrust_geometry::{Component, DVec2};
 use curvecrust_medial_axis::MeasuredCurve;
 
+use crate::arcs::Arcs;
 use crate::condition::DeviationLimit;
-use crate::gaps::Gaps;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
 
@@ -55,9 +55,9 @@ impl Chain {
     }
 
     /// Whether the curve between two samples keeps the limit.
-    pub(crate) fn keeps(&self, gaps: &Gaps, limit: DeviationLimit, from: usize, to: usize) -> bool {
+    pub(crate) fn keeps(&self, arcs: &Arcs, limit: DeviationLimit, from: usize, to: usize) -> bool {
         let first = from - self.component.range.start;
-        gaps.keeps(limit, first, first + self.component.steps(from, to))
+        arcs.keeps(limit, first, first + self.component.steps(from, to))
     }
 }
 
@@ -109,11 +109,11 @@ impl<'a> Chains<'a> {
     }
 
     /// A component and its sample after which the curve is beyond the limit.
-    pub(crate) fn beyond(&self, gaps: &[Gaps], limit: DeviationLimit) -> Option<(usize, usize)> {
+    pub(crate) fn beyond(&self, arcs: &[Arcs], limit: DeviationLimit) -> Option<(usize, usize)> {
         self.places().find_map(|(chain, at)| {
             let this = &self.chains[chain];
             let (from, to) = (this.samples[at], this.neighbours(at)[1]?);
-            (!this.keeps(&gaps[chain], limit, from, to)).then_some((chain, from))
+            (!this.keeps(&arcs[chain], limit, from, to)).then_some((chain, from))
         })
     }
 

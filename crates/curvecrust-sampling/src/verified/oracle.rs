@@ -4,17 +4,18 @@ use curvecrust_geometry::{Component, DVec2, EdgeSet, PointSet};
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
 use super::chain::{Chains, Place};
+use crate::arcs::Arcs;
 use crate::condition::DeviationLimit;
-use crate::gaps::Gaps;
 
-/// Distances that differ by less than this fraction of their squares count as equal, and as a failure.
+/// Distances that differ by less than this fraction of their squares count as equal, and as a
+/// failure.
 const TIE: f64 = 1.0 + 1e-9;
 
 /// What a sampling has to keep.
 pub(crate) struct Oracle<'a> {
     algorithm: &'a dyn Reconstructor,
     limit: DeviationLimit,
-    gaps: &'a [Gaps<'a>],
+    arcs: &'a [Arcs<'a>],
     is_hnn_crust: bool,
 }
 
@@ -22,18 +23,19 @@ impl<'a> Oracle<'a> {
     pub(crate) fn new(
         algorithm: &'a dyn Reconstructor,
         limit: DeviationLimit,
-        gaps: &'a [Gaps<'a>],
+        arcs: &'a [Arcs<'a>],
     ) -> Self {
         Self {
             algorithm,
             limit,
-            gaps,
+            arcs,
             is_hnn_crust: algorithm.info() == HnnCrust::MUTUAL.info(),
         }
     }
 
-    /// Whether samples keep everything, when they did before the `touched` ones of a chain, which are in a row,
-    /// were put in the place of others or became neighbours. The dense points in `added` are new samples.
+    /// Whether samples keep everything, when they did before the `touched` ones of a chain, which
+    /// are in a row, were put in the place of others or became neighbours. The dense points in
+    /// `added` are new samples.
     pub(crate) fn accepts(
         &self,
         chains: &Chains,
@@ -63,7 +65,7 @@ impl<'a> Oracle<'a> {
         let mut last: Option<usize> = None;
         touched.all(|at| {
             let to = this.samples[at];
-            let keeps = last.is_none_or(|from| this.keeps(&self.gaps[chain], self.limit, from, to));
+            let keeps = last.is_none_or(|from| this.keeps(&self.arcs[chain], self.limit, from, to));
             last = Some(to);
             keeps
         })
@@ -124,8 +126,8 @@ fn disturbs_none(chains: &Chains, added: usize) -> bool {
     })
 }
 
-/// Whether an open end has its neighbour as the nearest sample, and no other open end as the half neighbour:
-/// a sample inside a curve does not return the choice.
+/// Whether an open end has its neighbour as the nearest sample, and no other open end as the half
+/// neighbour: a sample inside a curve does not return the choice.
 fn is_a_clear_end(chains: &Chains, end: usize, neighbour: usize) -> bool {
     let (s, n) = (chains.point(end), chains.point(neighbour));
     let nearest = s.distance_squared(n);
@@ -199,8 +201,8 @@ mod tests {
 
     use super::*;
 
-    /// Chains, and their points: closed ones around a centre, open ones in a row, so close to each other and so
-    /// uneven that about half of them are reconstructed.
+    /// Chains, and their points: closed ones around a centre, open ones in a row, so close to each
+    /// other and so uneven that about half of them are reconstructed.
     fn shaped() -> impl Strategy<Value = (Vec<(usize, bool)>, Vec<DVec2>)> {
         let uneven = prop::array::uniform2(-1.0..1.0);
         let chain = (any::<bool>(), prop::collection::vec(uneven, 3..7));

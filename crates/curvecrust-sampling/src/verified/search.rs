@@ -1,14 +1,14 @@
-//! The steps that leave fewer samples, or others.
+//! Local search: steps that remove, merge or move samples.
 
 use curvecrust_geometry::Random;
 
 use super::chain::{Chains, Place};
 use super::oracle::Oracle;
 
-/// At so many places between two samples a new one is tried.
+/// Places between two samples at which a new one is tried.
 const TRIES: usize = 24;
-/// So many random places are tried for a sample that is shaken.
-const SHAKES: usize = 3;
+/// Random places that are tried for a sample when samples are perturbed.
+const PLACES: usize = 3;
 
 /// A sampling that the oracle accepts, and the steps from it to others.
 pub(crate) struct Search<'a> {
@@ -53,10 +53,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Moves every sample along the curve to a random place between its neighbours, if that is accepted.
-    pub(crate) fn shake(&mut self) {
+    /// Moves every sample along the curve to a random place between its neighbours, if that is
+    /// accepted.
+    pub(crate) fn perturb(&mut self) {
         for (chain, at) in self.order() {
-            for _ in 0..SHAKES {
+            for _ in 0..PLACES {
                 let share = self.random.fine_between(0.0, 1.0);
                 let Some((from, room)) = self.room(chain, at, 1) else {
                     break;
@@ -83,8 +84,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The sample before `count` in a row, and the number of dense points from it to the one after them; `None`
-    /// where an open end is in the way.
+    /// The sample before `count` in a row, and the number of dense points from it to the one after
+    /// them; `None` where an open end is in the way.
     fn room(&self, chain: usize, at: usize, count: usize) -> Option<(usize, usize)> {
         let this = &self.chains.chains[chain];
         let len = this.samples.len();
@@ -96,8 +97,8 @@ impl<'a> Search<'a> {
         Some((before, this.between(before, after)))
     }
 
-    /// Puts one sample or none in the place of `count` in a row, if that is accepted. Where the row runs over
-    /// the seam of a closed chain, that chain begins elsewhere afterwards.
+    /// Puts one sample or none in the place of `count` in a row, if that is accepted. Where the row
+    /// runs over the seam of a closed chain, that chain begins elsewhere afterwards.
     fn replace(&mut self, chain: usize, at: usize, count: usize, by: Option<usize>) -> bool {
         let added = usize::from(by.is_some());
         let this = &self.chains.chains[chain];
@@ -133,7 +134,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A share of so many, in 0..count.
+/// The index in 0..count at a share of the count.
 fn portion(count: usize, share: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,

@@ -10,7 +10,7 @@ use crate::condition::{Bound, Condition};
 /// The dense points of one component as a line of positions: a closed one is run through twice, so
 /// that every interval, over the seam too, is a range.
 #[derive(Debug)]
-pub(crate) struct Track {
+pub(crate) struct Unrolled {
     points: Vec<DVec2>,
     lfs: Vec<f64>,
     /// Length of the dense polygon up to each position.
@@ -34,7 +34,7 @@ impl Slack {
     }
 }
 
-impl Track {
+impl Unrolled {
     pub(crate) fn new(measured: &MeasuredCurve, range: Range<usize>, closed: bool) -> Self {
         let rounds = if closed { 2 } else { 1 };
         let points = measured.dense().points()[range.clone()].repeat(rounds);
@@ -125,7 +125,8 @@ impl Track {
                 }
             };
             let limit_holds = condition.hausdorff_limit().is_none_or(|limit| {
-                // The line turns around the first sample by a sine of at most moved / (chord - moved).
+                // The line turns around the first sample by a sine of at most moved / (chord -
+                // moved).
                 moved < SAFE * limit
                     && slack.farthest * moved < SAFE * slack.limit * (chord - moved)
             });
@@ -151,16 +152,16 @@ mod tests {
     use super::*;
 
     /// Points 1 / 64 apart on a line.
-    fn line(lfs: impl Fn(usize) -> f64) -> Track {
+    fn line(lfs: impl Fn(usize) -> f64) -> Unrolled {
         let along: Vec<f64> = (0..200u8).map(|i| f64::from(i) / 64.0).collect();
-        Track {
+        Unrolled {
             points: along.iter().map(|&x| DVec2::new(x, 0.0)).collect(),
             lfs: (0..200).map(lfs).collect(),
             along,
         }
     }
 
-    /// How far looking ahead gets, in closed form: were it less, only the time would tell.
+    /// How far looking ahead gets, in closed form. Less would change no result, only the time.
     #[test]
     fn as_many_points_are_skipped_as_the_slack_allows() {
         let (epsilon, rho) = (
@@ -168,7 +169,7 @@ mod tests {
             Condition::rho(0.5).unwrap(),
         );
         let limited = epsilon.with_hausdorff_limit(1.0 / 16.0).unwrap();
-        let skips = |track: &Track, condition, to| {
+        let skips = |track: &Unrolled, condition, to| {
             let slack = track.slack(condition, 0, to);
             assert_eq!(
                 track.next_uncertain(condition, 0, to, slack, to + 2),
@@ -177,12 +178,14 @@ mod tests {
             track.next_uncertain(condition, 0, to, slack, 200) - to
         };
         let even = line(|_| 1.0);
-        // In steps m of 1 / 64. Up to the eighth point: m < 32 - 4, m < 32 - 5, and 7 m < 4 (8 - m).
+        // In steps m of 1 / 64. Up to the eighth point: m < 32 - 4, m < 32 - 5, and 7 m < 4 (8 -
+        // m).
         let found = [epsilon, rho, limited].map(|c| skips(&even, c, 8));
         assert_eq!(found, [28, 27, 3]);
         // With none inside: m < 32 and m + 1 < 32.
         assert_eq!([epsilon, rho].map(|c| skips(&even, c, 1)), [32, 31]);
-        // With an lfs of 2 - i / 128: 2 m < 0.5 (256 - 8 - (m - 1)), and 2 m + 0.5 m < 0.5 (256 - 8) - 10.
+        // With an lfs of 2 - i / 128: 2 m < 0.5 (256 - 8 - (m - 1)), and 2 m + 0.5 m < 0.5 (256 -
+        // 8) - 10.
         let falling = line(|i| 2.0 - i as f64 / 128.0);
         assert_eq!([epsilon, rho].map(|c| skips(&falling, c, 8)), [50, 46]);
     }
