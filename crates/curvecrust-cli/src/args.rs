@@ -1,14 +1,15 @@
-//! What was typed.
+//! The arguments as they were typed. Commands make jobs of them, and never look at them again.
+
+mod values;
+
+pub(crate) use values::{Algorithm, Corners, Count, Distance};
 
 use crate::format::Format;
-use crate::points;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{ArgGroup, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Parser, Subcommand};
 use clap_complete::Shell;
-use curvecrust::reconstruct::ALGORITHMS;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::str::FromStr;
+use values::{algorithm, readable, share};
 
 /// Samples of smooth curves as sparse as a theorem allows, and curves from bare points.
 #[derive(Debug, Parser)]
@@ -26,7 +27,8 @@ Example: sample a drawing, forget the order of the samples, and find the curve a
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
-    /// Threads to compute with [default: all processors]; results do not depend on it
+    /// Threads to compute with, at most four for each processor [default: one for each]; results do
+    /// not depend on it
     #[arg(long, global = true, value_name = "N")]
     pub(crate) threads: Option<NonZeroUsize>,
     /// Print nothing but results and errors
@@ -79,11 +81,10 @@ pub(crate) struct Reconstruct {
     #[command(flatten)]
     pub(crate) points: Points,
     /// The algorithm: see `curvecrust algorithms`
-    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm_names())]
-    pub(crate) algorithm: String,
-    /// The point at this position of the input, counted from 0, is the end of an open curve
-    #[arg(long, value_name = "N")]
-    pub(crate) terminus: Vec<u32>,
+    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm())]
+    pub(crate) algorithm: Algorithm,
+    #[command(flatten)]
+    pub(crate) known: Known,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout
@@ -93,8 +94,8 @@ pub(crate) struct Reconstruct {
 
 /// Measure how good samples of a curve are, and whether a condition holds
 ///
-/// Prints the smallest epsilon and rho for which the samples satisfy the condition, and the intervals that
-/// violate the one given, in which case the exit status is 1.
+/// Prints the smallest epsilon and rho for which the samples satisfy the condition, and the
+/// intervals that violate the one given, in which case the exit status is 1.
 #[derive(Debug, clap::Args)]
 #[command(group(ArgGroup::new("bound").args(["rho", "epsilon"])), after_help = "\
 Example: is HNN-Crust sure to find the curve from these samples?
@@ -126,8 +127,8 @@ pub(crate) struct Evaluate {
     #[command(flatten)]
     pub(crate) points: Points,
     /// An algorithm, and another one: see `curvecrust algorithms`
-    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm_names())]
-    pub(crate) algorithm: Vec<String>,
+    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm())]
+    pub(crate) algorithm: Vec<Algorithm>,
     #[command(flatten)]
     pub(crate) tolerance: Tolerance,
     /// Print one JSON object to stdout
@@ -171,12 +172,8 @@ pub(crate) struct Draw {
     /// Points: a file, or - for stdin
     #[arg(long, value_name = "POINTS")]
     pub(crate) points: Option<PathBuf>,
-    /// The format of the points, if neither name nor content tells
-    #[arg(long, value_name = "FORMAT", requires = "points", value_parser = readable())]
-    pub(crate) from: Option<Format>,
-    /// Take equal points for one, instead of refusing them
-    #[arg(long, requires = "points")]
-    pub(crate) merge_duplicates: bool,
+    #[command(flatten)]
+    pub(crate) reading: Reading,
     /// The edges that an algorithm finds between the points
     #[arg(
         long,
@@ -184,10 +181,10 @@ pub(crate) struct Draw {
         num_args = 0..=1,
         default_missing_value = "least-detour",
         requires = "points",
-        value_parser = algorithm_names()
+        value_parser = algorithm()
     )]
-    pub(crate) edges: Option<String>,
-    /// Tell the edges apart by why they are there, and what was rejected at open ends
+    pub(crate) edges: Option<Algorithm>,
+    /// Show in colours why edges are there, and what was rejected at open ends
     #[arg(long, requires = "edges")]
     pub(crate) why: bool,
     /// Marks at points with another number of edges than on a closed curve
@@ -243,11 +240,11 @@ pub(crate) struct Curve {
     /// Smooth curves: an SVG document, or - for stdin
     #[arg(id = "curve_path", value_name = "CURVE.svg")]
     pub(crate) path: PathBuf,
-    /// Largest gap between the dense points that stand for the curve, as a share of the local feature size
-    /// [default: 0.02, or finer where a condition asks for it]
+    /// Largest gap between the dense points that stand for the curve, as a share of the local
+    /// feature size [default: 0.02, or finer where a condition asks for it]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = share)]
     pub(crate) gap: Option<f64>,
-    /// So many dense points on each cubic segment instead; 300 in the paper
+    /// Number of dense points on each cubic segment instead
     #[arg(long, value_name = "N", conflicts_with = "gap")]
     pub(crate) per_segment: Option<u32>,
 }
@@ -261,8 +258,8 @@ pub(crate) struct Condition {
     /// Every point within EPSILON times its local feature size; HNN-Crust is proven for 0.47
     #[arg(long, value_name = "EPSILON", allow_negative_numbers = true)]
     pub(crate) epsilon: Option<f64>,
-    /// No curve point farther than this from the line through its two samples: a length, or a share of the
-    /// curve's extent such as 1%
+    /// No curve point farther than this from the line through its two samples: a length, or a share
+    /// of the curve's extent such as 1%
     #[arg(
         long,
         value_name = "LENGTH",
@@ -275,7 +272,8 @@ pub(crate) struct Condition {
 /// How near points have to be to a curve to be its samples.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Tolerance {
-    /// Points farther from the curve than this are an error: a length, or a share of the curve's extent
+    /// Points farther from the curve than this are an error: a length, or a share of the curve's
+    /// extent
     #[arg(
         long,
         value_name = "LENGTH",
@@ -289,14 +287,35 @@ pub(crate) struct Tolerance {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Points {
     /// Points: a file, or - for stdin
-    #[arg(id = "points_path", value_name = "POINTS")]
+    #[arg(id = "points", value_name = "POINTS")]
     pub(crate) path: PathBuf,
-    /// The format of the points, if neither name nor content tells
-    #[arg(long, value_name = "FORMAT", value_parser = readable())]
+    #[command(flatten)]
+    pub(crate) reading: Reading,
+}
+
+/// How a file of points is read.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Reading {
+    /// The format of the points [default: that of the name, else of the content]
+    #[arg(long, value_name = "FORMAT", requires = "points", value_parser = readable())]
     pub(crate) from: Option<Format>,
+    /// The column of a table that holds x [default: x, lon, longitude or easting]
+    #[arg(long, value_name = "NAME", requires = "points", requires = "y")]
+    pub(crate) x: Option<String>,
+    /// The column of a table that holds y [default: y, lat, latitude or northing]
+    #[arg(long, value_name = "NAME", requires = "points", requires = "x")]
+    pub(crate) y: Option<String>,
     /// Take equal points for one, instead of refusing them
-    #[arg(long)]
+    #[arg(long, requires = "points")]
     pub(crate) merge_duplicates: bool,
+}
+
+/// What is known about the curves beside the points.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Known {
+    /// The point at this position of the input, counted from 0, is the end of an open curve
+    #[arg(long, value_name = "N")]
+    pub(crate) terminus: Vec<u32>,
 }
 
 /// Where a result goes.
@@ -305,88 +324,10 @@ pub(crate) struct Output {
     /// The file to write; - for stdout, which is the default
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// The format to write, if the name does not tell
+    /// The format to write [default: that of the name]
     #[arg(long, value_name = "FORMAT")]
     pub(crate) to: Option<Format>,
     /// Overwrite an existing file
     #[arg(long)]
     pub(crate) force: bool,
-}
-
-/// Which samples are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Count {
-    /// Greedily, from the best of all starts
-    Fewest,
-    /// Greedily, from the start of each curve
-    Greedy,
-    /// Fewer than the condition asks for: as few as HNN-Crust still reconstructs, without a guarantee
-    Verified,
-}
-
-/// What is done with corners.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Corners {
-    /// Refuse them, naming each
-    Refuse,
-    /// Sample every smooth piece by itself, with the corners as samples; no theorem covers them
-    Split,
-}
-
-/// A length, or a share of the extent of a curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Distance {
-    Length(f64),
-    Percent(f64),
-}
-
-impl Distance {
-    /// The length that it is for a curve of some extent.
-    pub(crate) fn of_extent(self, extent: f64) -> f64 {
-        match self {
-            Self::Length(length) => length,
-            Self::Percent(share) => share / 100.0 * extent,
-        }
-    }
-}
-
-impl FromStr for Distance {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (number, percent) = match text.strip_suffix('%') {
-            Some(number) => (number, true),
-            None => (text, false),
-        };
-        match number.trim().parse::<f64>() {
-            Ok(value) if value.is_finite() && value > 0.0 => Ok(if percent {
-                Self::Percent(value)
-            } else {
-                Self::Length(value)
-            }),
-            _ => Err(String::from(
-                "give a length above 0, such as 2.5, or a share, such as 1%",
-            )),
-        }
-    }
-}
-
-/// A share of the local feature size.
-fn share(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(share) if share > 0.0 && share <= 1.0 => Ok(share),
-        _ => Err(String::from(
-            "give a share above 0 and at most 1, such as 0.02",
-        )),
-    }
-}
-
-/// The formats that points are read from.
-fn readable() -> impl TypedValueParser<Value = Format> {
-    let values = points::FORMATS.iter().filter_map(Format::to_possible_value);
-    PossibleValuesParser::new(values).try_map(|name| Format::from_str(&name, false))
-}
-
-fn algorithm_names() -> PossibleValuesParser {
-    PossibleValuesParser::new(ALGORITHMS.iter().map(|algorithm| algorithm.info().name))
 }

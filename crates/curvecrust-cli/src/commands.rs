@@ -1,19 +1,72 @@
 //! The commands, one file each.
 
-pub(crate) mod algorithms;
+mod algorithms;
 mod bare_points;
-pub(crate) mod check;
-pub(crate) mod completions;
-mod curves;
-pub(crate) mod draw;
-pub(crate) mod evaluate;
-pub(crate) mod lfs;
-pub(crate) mod medial_axis;
-pub(crate) mod reconstruct;
-pub(crate) mod sample;
+mod check;
+mod completions;
+mod condition;
+mod curve_source;
+mod draw;
+mod evaluate;
+mod lfs;
+mod medial_axis;
+mod reconstruct;
+mod sample;
 
+use crate::args::Command;
+use crate::console::Console;
+use clap_complete::Shell;
 use curvecrust::evaluate::Bounds as KnownBounds;
 use serde::Serialize;
+
+/// What is to be done: a command whose arguments are understood, and whose output can be written.
+#[derive(Debug)]
+pub(crate) enum Job {
+    Sample(sample::Job),
+    Reconstruct(reconstruct::Job),
+    Check(check::Job),
+    Evaluate(evaluate::Job),
+    MedialAxis(medial_axis::Job),
+    Lfs(lfs::Job),
+    Draw(draw::Job),
+    Algorithms { json: bool },
+    Completions(Shell),
+}
+
+impl Job {
+    pub(crate) fn new(command: Command) -> anyhow::Result<Self> {
+        Ok(match command {
+            Command::Sample(args) => Self::Sample(sample::Job::new(args)?),
+            Command::Reconstruct(args) => Self::Reconstruct(reconstruct::Job::new(args)?),
+            Command::Check(args) => Self::Check(check::Job::new(args)?),
+            Command::Evaluate(args) => Self::Evaluate(args.into()),
+            Command::MedialAxis(args) => Self::MedialAxis(medial_axis::Job::new(args)?),
+            Command::Lfs(args) => Self::Lfs(lfs::Job::new(args)?),
+            Command::Draw(args) => Self::Draw(draw::Job::new(args)?),
+            Command::Algorithms(args) => Self::Algorithms { json: args.json },
+            Command::Completions(args) => Self::Completions(args.shell),
+        })
+    }
+
+    /// Whether it computes anything, which it may do in many threads.
+    pub(crate) fn computes(&self) -> bool {
+        !matches!(self, Self::Algorithms { .. } | Self::Completions(_))
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        match self {
+            Self::Sample(job) => job.run(console),
+            Self::Reconstruct(job) => job.run(console),
+            Self::Check(job) => job.run(console),
+            Self::Evaluate(job) => job.run(console),
+            Self::MedialAxis(job) => job.run(console),
+            Self::Lfs(job) => job.run(console),
+            Self::Draw(job) => job.run(console),
+            Self::Algorithms { json } => algorithms::run(json),
+            Self::Completions(shell) => completions::run(shell),
+        }
+    }
+}
 
 /// A number that is known to lie between two others; in JSON, infinity is null.
 #[derive(Clone, Copy, Debug, Serialize)]

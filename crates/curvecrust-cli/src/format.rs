@@ -1,4 +1,4 @@
-//! The names of the formats, and how a file's name tells its own.
+//! The formats, and the endings of file names that stand for them.
 
 use clap::ValueEnum;
 use std::path::Path;
@@ -25,7 +25,7 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// The format that files of this name have; `None` for `-` and for names that say nothing.
+    /// The format of the ending of a name; `None` without a known one, as for `-`.
     pub(crate) fn of_name(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Some(match extension.as_str() {
@@ -56,7 +56,7 @@ impl Format {
     }
 }
 
-/// A list of formats as people read it: `csv, json or svg`.
+/// A list of formats in a sentence: `csv, json or svg`.
 pub(crate) fn listed(formats: &[Format]) -> String {
     let names: Vec<_> = formats.iter().map(|format| format.name()).collect();
     match names.split_last() {

@@ -1,21 +1,23 @@
 //! `curvecrust`, the program: samples of smooth curves, ordered curves from bare points, and
 //! pictures of both.
 //!
-//! [`args`] is what was typed, [`commands`] what is done, one file each; [`points`] reads and
-//! [`output`] writes, one file a format. It is a library for its fuzz target's sake, and promises
-//! nothing but [`main`]: depend on `curvecrust`.
+//! [`args`] are the arguments as typed. [`commands`] make jobs of them and run these, one file
+//! each. [`points`] reads and [`output`] writes, one file a format. This is a library only so that
+//! the readers can be fuzzed, and promises nothing but [`main`]: depend on `curvecrust`.
 
 mod args;
 mod commands;
 mod console;
 mod format;
 mod input;
+mod number;
 mod output;
 mod points;
+mod threads;
 
-use args::{Cli, Command};
+use args::Cli;
 use clap::Parser;
-use commands::Outcome;
+use commands::{Job, Outcome};
 use console::Console;
 use format::Format;
 use input::Source;
@@ -29,11 +31,9 @@ use std::process::ExitCode;
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let console = Console::new(cli.quiet);
-    match run(&cli, &console) {
+    match run(cli, &console) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
-        // Who reads our output has seen enough.
-        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             console.error(&error);
             ExitCode::from(2)
@@ -41,45 +41,27 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(cli: &Cli, console: &Console) -> anyhow::Result<Outcome> {
-    if let Some(threads) = cli.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.get())
-            .build_global()?;
+fn run(cli: Cli, console: &Console) -> anyhow::Result<Outcome> {
+    let job = Job::new(cli.command)?;
+    if job.computes() {
+        threads::start(cli.threads, console)?;
     }
-    match &cli.command {
-        Command::Sample(args) => commands::sample::run(args, console),
-        Command::Reconstruct(args) => commands::reconstruct::run(args, console),
-        Command::Check(args) => commands::check::run(args, console),
-        Command::Evaluate(args) => commands::evaluate::run(args, console),
-        Command::MedialAxis(args) => commands::medial_axis::run(args, console),
-        Command::Lfs(args) => commands::lfs::run(args, console),
-        Command::Draw(args) => commands::draw::run(args, console),
-        Command::Algorithms(args) => commands::algorithms::run(args),
-        Command::Completions(args) => commands::completions::run(args),
-    }
+    job.run(console)
 }
 
-/// How many points a file of the format with this extension holds, or what is said about it: the
-/// door by which the readers are fuzzed.
+/// The number of points in a file of the format with this extension, or the message about it. Fuzz
+/// targets call the readers by it.
 #[doc(hidden)]
 pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
     let path = Path::new("fuzzed").with_extension(extension);
-    let points = Source::new(io::Cursor::new(bytes))
+    let list = Source::new(io::Cursor::new(bytes))
         .map_err(Flaw::from)
-        .and_then(|source| points::read_source(source, Format::of_name(&path)));
-    match points {
-        Ok(points) => Ok(points.len()),
+        .and_then(|source| points::read_source(source, Format::of_name(&path), None));
+    match list {
+        Ok(list) => Ok(list.points.len()),
         Err(flaw) => {
             let error = PointsError::new(path.display().to_string(), flaw);
             Err(console::printable(&error.to_string()))
         }
     }
-}
-
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    error
-        .chain()
-        .filter_map(|cause| cause.downcast_ref::<io::Error>())
-        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
 }

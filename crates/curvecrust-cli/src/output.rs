@@ -1,58 +1,89 @@
 //! Results in files, one module a format.
 
+mod atomic;
 mod dxf;
 mod geojson;
 pub(crate) mod npy;
-mod number;
 mod shape;
 mod svg;
-mod whole;
 mod wkt;
 
-pub(crate) use number::Number;
+pub(crate) use crate::number::Number;
 pub(crate) use shape::{Feature, Places, Shape, Streamed};
 pub(crate) use svg::{Layer, Path, Picture};
 
-use crate::args;
 use crate::format::{self, Format};
+use crate::{args, input};
 use anyhow::bail;
+use atomic::Target;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
+
+/// What becomes of a result: a file, or text on stdout, and the JSON object of `--json`.
+#[derive(Debug)]
+pub(crate) struct Results {
+    /// `None` if the JSON object on stdout is all that was asked for.
+    pub(crate) output: Option<Output>,
+    /// Whether the JSON object is printed to stdout.
+    pub(crate) json: bool,
+}
 
 /// Where a result goes, and in which format.
 #[derive(Debug)]
 pub(crate) struct Output {
     /// `None` for stdout.
-    path: Option<PathBuf>,
-    force: bool,
+    target: Option<Target>,
     pub(crate) format: Format,
 }
 
+impl Results {
+    /// Settles places and format before any work is done.
+    pub(crate) fn new(args: args::Output, json: bool, formats: &[Format]) -> anyhow::Result<Self> {
+        let is_stdout = args.output.as_deref().is_none_or(input::is_standard);
+        let output = if json && is_stdout {
+            None
+        } else {
+            Some(Output::new(args.output, args.to, args.force, formats)?)
+        };
+        Ok(Self { output, json })
+    }
+
+    /// Whether something is written in a format.
+    pub(crate) fn writes(&self, format: Format) -> bool {
+        self.output.as_ref().is_some_and(|o| o.format == format)
+    }
+
+    /// Prints the JSON object, if it was asked for.
+    pub(crate) fn print_json<T: Serialize>(
+        &self,
+        object: impl FnOnce() -> anyhow::Result<T>,
+    ) -> anyhow::Result<()> {
+        if self.json {
+            print_json(&object()?)?;
+        }
+        Ok(())
+    }
+}
+
 impl Output {
-    /// Settles place and format before any work is done; `None` if nothing is to be written but the
-    /// JSON object on stdout.
-    ///
-    /// The format is the one given, else that of the file's name, else the first of `formats`.
+    /// Settles place and format before any work is done. The format is the one given, else that of
+    /// the file's name, else the first of `formats`.
     pub(crate) fn new(
-        args: &args::Output,
-        json: bool,
+        path: Option<PathBuf>,
+        to: Option<Format>,
+        force: bool,
         formats: &[Format],
-    ) -> anyhow::Result<Option<Self>> {
-        let path = args.output.clone().filter(|path| path.as_os_str() != "-");
-        if json && path.is_none() {
-            return Ok(None);
-        }
-        if let Some(path) = &path {
-            whole::check(path, args.force)?;
-        }
+    ) -> anyhow::Result<Self> {
+        let path = path.filter(|path| !input::is_standard(path));
         let named = path.as_deref().and_then(Format::of_name);
-        let format = match (args.to.or(named), &path) {
+        let name = path.as_ref().map(|path| path.display().to_string());
+        let target = path.map(|path| Target::new(path, force)).transpose()?;
+        let format = match (to.or(named), name) {
             (Some(format), _) => format,
             (None, None) => formats[0],
-            (None, Some(path)) => bail!(
-                "the name {} tells no format: give --to {}",
-                path.display(),
+            (None, Some(name)) => bail!(
+                "the name {name} has no known ending: give --to {}",
                 format::listed(formats)
             ),
         };
@@ -63,20 +94,16 @@ impl Output {
                 format::listed(formats)
             );
         }
-        Ok(Some(Self {
-            path,
-            force: args.force,
-            format,
-        }))
+        Ok(Self { target, format })
     }
 
-    /// Writes the whole, or nothing.
+    /// Writes everything, or nothing.
     pub(crate) fn write(
         &self,
         content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> anyhow::Result<()> {
-        match &self.path {
-            Some(path) => whole::write(path, self.force, content),
+        match &self.target {
+            Some(target) => target.write(content),
             None => to_stdout(content),
         }
     }
@@ -109,7 +136,7 @@ pub(crate) fn print_json(object: &impl Serialize) -> anyhow::Result<()> {
 pub(crate) fn to_stdout(
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> anyhow::Result<()> {
-    whole::buffered(io::stdout().lock(), content)
+    atomic::buffered(io::stdout().lock(), content)
         .map_err(|error| anyhow::Error::new(error).context("cannot write to stdout"))
 }
 

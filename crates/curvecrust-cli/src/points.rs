@@ -1,18 +1,28 @@
 //! Points from files, one module a format. See `docs/formats.md`.
 
-mod delimited;
+mod columns;
+mod csv_records;
 mod flaw;
 mod geojson;
 mod json;
+mod json_text;
 mod npy;
+mod quote;
+mod records;
+mod separator;
 mod svg;
-mod text;
+mod table;
+mod text_records;
 
+pub(crate) use columns::ColumnNames;
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
 
 use crate::format::Format;
 use crate::input::{self, Source};
+use crate::number::Number;
 use curvecrust::DVec2;
+use quote::quoted;
+use separator::Separator;
 use std::path::Path;
 
 /// The formats that points are read from.
@@ -25,19 +35,35 @@ pub(crate) const FORMATS: &[Format] = &[
     Format::Svg,
 ];
 
-/// Reads points, of which there must be at least one. They are finite and of magnitudes that a point
-/// set can hold; some may be equal.
+/// What was read from a file.
+#[derive(Debug, Default)]
+pub(crate) struct PointList {
+    /// The points, finite and of magnitudes that a point set can hold; some may be equal.
+    pub(crate) points: Vec<DVec2>,
+    /// What the user should know about how they were read.
+    pub(crate) notes: Vec<String>,
+}
+
+/// Reads points, of which there must be at least one.
 ///
 /// The format is the one given, else that of the file's name, else what the content looks like.
-pub(crate) fn read(path: &Path, from: Option<Format>) -> Result<Vec<DVec2>, PointsError> {
+pub(crate) fn read(
+    path: &Path,
+    from: Option<Format>,
+    names: Option<&ColumnNames>,
+) -> Result<PointList, PointsError> {
     Source::open(path)
         .map_err(Flaw::from)
-        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path))))
+        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path)), names))
         .map_err(|flaw| PointsError::new(input::name(path), flaw))
 }
 
 /// The same from an opened source, in the format given, else what the content looks like.
-pub(crate) fn read_source(source: Source, format: Option<Format>) -> Result<Vec<DVec2>, Flaw> {
+pub(crate) fn read_source(
+    mut source: Source,
+    format: Option<Format>,
+    names: Option<&ColumnNames>,
+) -> Result<PointList, Flaw> {
     let head = source.head();
     if head.is_empty() {
         return Err(Problem::NoPoints.into());
@@ -45,45 +71,93 @@ pub(crate) fn read_source(source: Source, format: Option<Format>) -> Result<Vec<
     if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") {
         return Err(Problem::Utf16.into());
     }
-    let points = match format.unwrap_or_else(|| looks_like(head)) {
-        Format::Csv => delimited::read(source),
-        Format::Text => text::read(source.into_reader()),
+    let format = match format {
+        Some(format) => format,
+        None => looks_like(&mut source)?,
+    };
+    if names.is_some() && !matches!(format, Format::Csv | Format::Text) {
+        return Err(Problem::NoTable(format).into());
+    }
+    let list = match format {
+        Format::Csv => table::read(source, Separator::Byte(b','), names),
+        Format::Text => table::read(source, Separator::WhiteSpace, names),
         Format::Npy => npy::read(source.into_reader()),
-        Format::Json => whole(source).and_then(|bytes| json::read(&bytes)),
-        Format::Geojson => whole(source).and_then(|bytes| geojson::read(&bytes)),
-        Format::Svg => whole(source).and_then(|bytes| svg::read(&bytes)),
+        Format::Json => json::read(&source.into_bytes()?),
+        Format::Geojson => geojson::read(&source.into_bytes()?),
+        Format::Svg => svg::read(&source.into_bytes()?),
         other => Err(Problem::Unreadable(other).into()),
     }?;
-    if points.is_empty() {
+    if list.points.is_empty() {
         return Err(Problem::NoPoints.into());
     }
-    Ok(points)
+    Ok(list)
 }
 
-fn whole(source: Source) -> Result<Vec<u8>, Flaw> {
-    Ok(source.into_bytes()?)
+impl From<Vec<DVec2>> for PointList {
+    fn from(points: Vec<DVec2>) -> Self {
+        Self {
+            points,
+            notes: Vec::new(),
+        }
+    }
 }
 
-/// The format of content without a name.
-fn looks_like(head: &[u8]) -> Format {
-    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    let line = lines.find(|line| !line.is_empty() && !line.starts_with(b"#"));
-    match line.unwrap_or_default() {
+impl PointList {
+    /// Points of which some have a height.
+    fn with_heights(points: Vec<DVec2>, has_heights: bool) -> Self {
+        let note = has_heights.then(|| String::from("heights are left out"));
+        Self {
+            points,
+            notes: note.into_iter().collect(),
+        }
+    }
+}
+
+/// The format of content without a name, by its first line that is no comment.
+fn looks_like(source: &mut Source) -> Result<Format, Flaw> {
+    let head = source.peek(|head| first_line(head).is_some())?;
+    Ok(match first_line(head).unwrap_or_default() {
         [b'{' | b'[', ..] => Format::Json,
         [b'<', ..] => Format::Svg,
         [0x93, b'N', ..] => Format::Npy,
-        line if line.iter().any(|byte| b",;\t".contains(byte)) => Format::Csv,
+        // What separates its columns is found as it is read.
         _ => Format::Text,
+    })
+}
+
+/// The first line that is neither empty nor a comment, or as much of it as is known.
+fn first_line(head: &[u8]) -> Option<&[u8]> {
+    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    lines.find(|line| !line.is_empty() && !line.starts_with(b"#"))
+}
+
+/// The coordinate that a token stands for, which may have a comma in front of its decimals.
+fn coordinate(token: &[u8], has_decimal_commas: bool) -> Result<f64, Problem> {
+    match number(token, has_decimal_commas) {
+        Some(value) => in_range(value, || quoted(token)),
+        None => Err(Problem::NotANumber(quoted(token))),
     }
 }
 
-/// The coordinate that a token stands for.
-fn coordinate(token: &[u8]) -> Result<f64, Problem> {
-    let number = str::from_utf8(token).ok().and_then(|t| t.parse().ok());
-    match number {
-        Some(value) => in_range(value, || flaw::shown(token)),
-        None => Err(Problem::NotANumber(flaw::shown(token))),
-    }
+fn is_number(token: &[u8], has_decimal_commas: bool) -> bool {
+    number(token, has_decimal_commas).is_some()
+}
+
+fn number(token: &[u8], has_decimal_commas: bool) -> Option<f64> {
+    let text = str::from_utf8(token).ok()?;
+    let number = text.parse().ok();
+    // With a point as well, a comma would separate thousands.
+    let is_decimal = || has_decimal_commas && text.contains(',') && !text.contains('.');
+    number.or_else(|| {
+        is_decimal()
+            .then(|| text.replacen(',', ".", 1).parse().ok())
+            .flatten()
+    })
+}
+
+/// The number itself, if a point set can hold it.
+fn in_double_range(value: f64) -> Result<f64, Problem> {
+    in_range(value, || Number(value).to_string())
 }
 
 /// The number itself, if a point set can hold it; `found` is what stood there.

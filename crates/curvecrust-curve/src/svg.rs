@@ -16,11 +16,15 @@
 //!   images. No file is ever opened.
 //! - **Refused** is what usvg would leave out or misplace without saying so: attributes that are
 //!   malformed or out of range, geometry in CSS, references to nothing.
-//! - **Bounded**, for documents that nobody vouches for: the [`expansion`] of entities, levels of
-//!   elements, elements and segments drawn. Nothing outside of the document is ever read.
+//! - **Bounded**, for documents that nobody vouches for: the [`expansion`] of entities and their
+//!   number, attributes of an element, declarations of style, levels of elements, elements and
+//!   segments drawn, before any of it is laid out. Nothing outside of the document is ever read.
 
+mod bounds;
 mod entities;
 mod strict;
+mod style;
+pub mod value;
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
@@ -33,8 +37,10 @@ use usvg::{ImageHrefResolver, Options, Tree};
 use crate::bezier_path::BezierPath;
 use crate::error::{CurveError, DENSE_LIMIT};
 use crate::path_data::Pen;
+pub use bounds::{MAX_ATTRIBUTES, MAX_ELEMENTS, MAX_ENTITIES, MAX_PREFIXES, check_bounds};
 pub use entities::expansion;
 use strict::{PathElement, label, unsupported};
+pub use style::MAX_DECLARATIONS;
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 
@@ -67,8 +73,10 @@ pub(crate) fn parse<T>(
         let name = root.tag_name().name().to_owned();
         return Err(CurveError::NotSvg { name });
     }
+    style::check(&document)?;
     let by_id = strict::by_id(&document);
     let paths = strict::paths(root, &by_id)?;
+    bounds::check_elements(root, |id| by_id.get(id).map(Node::id))?;
     let tree = lay_out(&with_stand_ins(text, &paths))?;
     let mut drawing = Drawing {
         paths,
@@ -87,11 +95,7 @@ pub(crate) fn parse<T>(
 }
 
 fn parse_xml(text: &str) -> Result<Document<'_>, CurveError> {
-    if expansion(text) > MAX_EXPANSION {
-        return Err(unsupported(format!(
-            "its entities stand for more than {MAX_EXPANSION} bytes: write out what they stand for"
-        )));
-    }
+    check_bounds(text)?;
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()
@@ -142,9 +146,9 @@ fn lay_out(text: &str) -> Result<Tree, CurveError> {
         usvg::Error::InvalidSize => {
             unsupported("the root has no size: give it a width and a height, or a viewBox")
         }
-        usvg::Error::ParsingFailed(usvg::roxmltree::Error::NodesLimitReached) => unsupported(
-            "it has more than 1000000 elements, each drawn once per use: simplify the document",
-        ),
+        usvg::Error::ParsingFailed(usvg::roxmltree::Error::NodesLimitReached) => {
+            bounds::too_many_elements()
+        }
         other => unsupported(other.to_string()),
     })
 }

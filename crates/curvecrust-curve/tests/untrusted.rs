@@ -47,6 +47,96 @@ fn entities_of_entities_are_refused() {
     ));
 }
 
+/// Each is some 400 KB that the readers of XML and of style would take seconds for, or minutes.
+#[test]
+fn crowded_documents_are_refused() {
+    let many =
+        |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<String>();
+    let path = "<path d='M0 0h1'/>";
+    let attributes = many(40_000, &|i| format!(" a{i}=''"));
+    let nested = many(10_000, &|i| format!("<g xmlns:a{i}='u'>")) + &"</g>".repeat(10_000);
+    let declarations = many(40_000, &|i| format!("a{i}:1;"));
+    let rules = "path{fill:red}".repeat(10_000);
+    let classes = many(10_000, &|i| format!(".a{i}{{fill:red}}"));
+    let classed = format!("<g class='{}'>{path}</g>", "b ".repeat(100)).repeat(1_000);
+    for (entities, content, says) in [
+        (
+            "",
+            format!("<path d='M0 0h1'{attributes}/>"),
+            "more than 1000 attributes",
+        ),
+        ("", nested, "more than 100 prefixes"),
+        (
+            "",
+            format!("<path d='M0 0h1' style='{declarations}'/>"),
+            "more than 1000 declarations",
+        ),
+        (
+            "",
+            format!("<style>path{{{declarations}}}</style>{path}"),
+            "more than 1000 declarations",
+        ),
+        (
+            "",
+            format!("<style>{rules}</style>{}", path.repeat(10_000)),
+            "selectors and declarations",
+        ),
+        (
+            "",
+            format!("<style>{classes}</style>{classed}"),
+            "selectors and declarations",
+        ),
+        (
+            &*many(20_000, &|i| format!("<!ENTITY e{i} '1'>")),
+            path.to_owned(),
+            "more than 1000 entities",
+        ),
+        (
+            // In the value of an entity.
+            &*format!("<!ENTITY e \"<g {attributes}/>\">"),
+            format!("&e;{path}"),
+            "more than 1000 attributes",
+        ),
+    ] {
+        let error = Curve::from_svg(&document(entities, &content))
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(says), "{error}");
+    }
+}
+
+/// A kilobyte that stands for 10 million paths, drawn or not.
+#[test]
+fn elements_are_counted_before_they_are_laid_out() {
+    let mut content = "<g id='a0'><path d='M0 0h1'/></g>".to_owned();
+    for k in 0..7 {
+        let ten = format!("<use href='#a{k}'/>").repeat(10);
+        content += &format!("<g id='a{}'>{ten}</g>", k + 1);
+    }
+    let used = "<use xlink:href='#a7'/>";
+    for content in [
+        format!("<defs>{content}</defs>{used}"),
+        format!("<path d='M0 0h1'/><pattern id='p'>{content}{used}</pattern>"),
+    ] {
+        let error = Curve::from_svg(&document("", &content))
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("more than 1000000 elements, each drawn once per use"),
+            "{error}"
+        );
+    }
+    // Each element as often as it is used.
+    let twice = "<path id='a' d='M0 0h1'/><use href='#a'/>";
+    assert_eq!(
+        Curve::from_svg(&document("", twice))
+            .unwrap()
+            .components()
+            .len(),
+        2
+    );
+}
+
 #[test]
 fn what_is_below_the_limit_is_read() {
     let steps = "h1 ".repeat(1_000);

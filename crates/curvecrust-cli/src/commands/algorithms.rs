@@ -1,7 +1,7 @@
 //! `curvecrust algorithms`: the list of them.
 
 use super::Outcome;
-use crate::{args, output};
+use crate::output;
 use curvecrust::reconstruct::{ALGORITHMS, AlgorithmInfo, Guarantee};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -22,9 +22,9 @@ struct Entry {
     honours_termini: bool,
 }
 
-pub(crate) fn run(args: &args::Algorithms) -> anyhow::Result<Outcome> {
+pub(crate) fn run(json: bool) -> anyhow::Result<Outcome> {
     let infos = ALGORITHMS.iter().map(|algorithm| algorithm.info());
-    if args.json {
+    if json {
         let algorithms = infos.map(entry).collect();
         output::print_json(&Object { algorithms })?;
     } else {

@@ -1,11 +1,32 @@
 //! Points from a file, as the algorithms take them: valid, and without duplicates.
 
-use crate::args;
 use crate::console::Console;
-use crate::{input, points};
+use crate::format::Format;
+use crate::number::Number;
+use crate::points::{self, ColumnNames};
+use crate::{args, input};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::geometry::{PointId, PointSet, PointSetError};
+use std::path::PathBuf;
+
+/// A file of points, and how it is read.
+#[derive(Debug)]
+pub(crate) struct PointSource {
+    path: PathBuf,
+    /// `None`: the format of the name, else of the content.
+    format: Option<Format>,
+    /// The columns of a table; `None`: those with names that are known.
+    columns: Option<ColumnNames>,
+    duplicates: Duplicates,
+}
+
+/// What is done with equal points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Duplicates {
+    Refuse,
+    Merge,
+}
 
 /// Distinct points, and the rows of the input that they come from.
 ///
@@ -26,25 +47,91 @@ struct Merged {
     row_of: Vec<u32>,
 }
 
-impl BarePoints {
-    /// Reads points and settles that they are distinct.
-    pub(crate) fn read(args: &args::Points, console: &Console) -> anyhow::Result<Self> {
-        let name = input::name(&args.path);
-        let rows = console.during(&format!("reading {name}"), |_| {
-            points::read(&args.path, args.from)
-        })?;
-        Self::new(rows, args.merge_duplicates).with_context(|| name)
+impl From<args::Points> for PointSource {
+    fn from(args: args::Points) -> Self {
+        Self::new(args.path, args.reading)
+    }
+}
+
+impl PointSource {
+    pub(crate) fn new(path: PathBuf, reading: args::Reading) -> Self {
+        let args::Reading {
+            from,
+            x,
+            y,
+            merge_duplicates,
+        } = reading;
+        let duplicates = if merge_duplicates {
+            Duplicates::Merge
+        } else {
+            Duplicates::Refuse
+        };
+        Self {
+            path,
+            format: from,
+            columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
+            duplicates,
+        }
     }
 
-    fn new(rows: Vec<DVec2>, merge_duplicates: bool) -> anyhow::Result<Self> {
-        if merge_duplicates {
-            let found = PointSet::merging_duplicates(rows)?;
-            let merged = (found.duplicates() > 0).then(|| Merged::new(found.representative));
-            return Ok(Self {
-                points: found.points,
-                merged,
-            });
+    /// How messages name it.
+    pub(crate) fn name(&self) -> String {
+        input::name(&self.path)
+    }
+
+    /// Reads points and settles that they are distinct.
+    pub(crate) fn read(&self, console: &Console) -> anyhow::Result<BarePoints> {
+        let name = self.name();
+        let list = console.during(&format!("reading {name}"), |_| {
+            points::read(&self.path, self.format, self.columns.as_ref())
+        })?;
+        let points::PointList {
+            points: rows,
+            mut notes,
+        } = list;
+        let bare = match self.duplicates {
+            Duplicates::Merge => BarePoints::merging(rows),
+            Duplicates::Refuse if repeats_its_start(&rows) => {
+                notes.push("the last point repeats the first, which stands for both".to_owned());
+                BarePoints::closing(rows)
+            }
+            Duplicates::Refuse => BarePoints::distinct(rows),
+        };
+        let bare = bare.with_context(|| name.clone())?;
+        for note in &notes {
+            console.note(format_args!("{name}: {note}"));
         }
+        Ok(bare)
+    }
+}
+
+/// Whether points end where they start, as those of a ring often do.
+fn repeats_its_start(rows: &[DVec2]) -> bool {
+    rows.len() > 3 && rows.first() == rows.last()
+}
+
+impl BarePoints {
+    fn merging(rows: Vec<DVec2>) -> anyhow::Result<Self> {
+        let found = PointSet::merging_duplicates(rows)?;
+        let merged = (found.duplicates() > 0).then(|| Merged::new(found.representative));
+        Ok(Self {
+            points: found.points,
+            merged,
+        })
+    }
+
+    /// Points of which the last equals the first.
+    fn closing(mut rows: Vec<DVec2>) -> anyhow::Result<Self> {
+        rows.pop();
+        let Self { points, .. } = Self::distinct(rows)?;
+        let point_of = points.ids().chain(points.ids().take(1)).collect();
+        Ok(Self {
+            points,
+            merged: Some(Merged::new(point_of)),
+        })
+    }
+
+    fn distinct(rows: Vec<DVec2>) -> anyhow::Result<Self> {
         match PointSet::new(rows) {
             Ok(points) => Ok(Self {
                 points,
@@ -56,7 +143,9 @@ impl BarePoints {
                 x,
                 y,
             }) => bail!(
-                "points {first} and {second} are both ({x}, {y}): remove one, or pass --merge-duplicates"
+                "points {first} and {second} are both ({}, {}): remove one, or pass --merge-duplicates",
+                Number(x),
+                Number(y)
             ),
             Err(error) => Err(error.into()),
         }

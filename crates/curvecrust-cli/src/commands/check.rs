@@ -1,12 +1,16 @@
 //! `curvecrust check`: how good samples are, and whether a condition holds.
 
-use super::bare_points::BarePoints;
-use super::{Bounds, Outcome, curves};
+use super::bare_points::{BarePoints, PointSource};
+use super::condition::{Requirement, name_and_bound};
+use super::curve_source::CurveSource;
+use super::{Bounds, Outcome};
+use crate::args::{self, Distance};
 use crate::console::Console;
-use crate::{args, input, output};
+use crate::output;
 use anyhow::Context;
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::sampling::{
-    Attained, Condition, PlacedSamples, Verdict, check, effective_epsilon, effective_rho,
+    Attained, Condition, PlacedSamples, Projected, Verdict, check, effective_epsilon, effective_rho,
 };
 use serde::Serialize;
 use std::io::{self, Write};
@@ -36,29 +40,62 @@ struct Violation {
     distance: Bounds,
 }
 
-pub(crate) fn run(args: &args::Check, console: &Console) -> anyhow::Result<Outcome> {
-    let curve = curves::read(&args.curve.path)?;
-    let bare = BarePoints::read(&args.points, console)?;
-    let condition = curves::condition(&args.condition, &curve)?;
-    let measured = curves::measured(&args.curve, &curve, condition, console)?;
-    let tolerance = args.tolerance.tolerance.of_extent(curve.extent());
-    let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
-        .with_context(|| input::name(&args.points.path))?;
-    let verdict = condition.map(|condition| check(&measured, &placed.samples, condition));
+/// Which samples are measured on which curve, and what they have to satisfy.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: CurveSource,
+    points: PointSource,
+    requirement: Option<Requirement>,
+    tolerance: Distance,
+    json: bool,
+}
+
+impl Job {
+    pub(crate) fn new(args: args::Check) -> anyhow::Result<Self> {
+        Ok(Self {
+            requirement: Requirement::new(&args.condition)?,
+            curve: args.curve.into(),
+            points: args.points.into(),
+            tolerance: args.tolerance.tolerance,
+            json: args.json,
+        })
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let curve = self.curve.read()?;
+        let bare = self.points.read(console)?;
+        let condition = self.requirement.map(|r| r.on(&curve)).transpose()?;
+        let measured = self.curve.measure(&curve, condition, console)?;
+        let tolerance = self.tolerance.of_extent(curve.extent());
+        let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
+            .with_context(|| self.points.name())?;
+        let object = object(&measured, &placed, condition, &bare);
+        if self.json {
+            output::print_json(&object)?;
+        } else {
+            output::to_stdout(|out| write(out, &object, condition))?;
+        }
+        Ok(Outcome::fine_if(object.holds != Some(false)))
+    }
+}
+
+fn object(
+    measured: &MeasuredCurve,
+    placed: &Projected,
+    condition: Option<Condition>,
+    bare: &BarePoints,
+) -> Object {
+    let verdict = condition.map(|condition| check(measured, &placed.samples, condition));
     let row = |sample: usize| {
-        bare.points
-            .ids()
-            .nth(placed.indices[sample])
-            .map(|id| bare.row(id))
+        let id = bare.points.ids().nth(placed.indices[sample]);
+        id.map(|id| bare.row(id))
     };
     let violations = verdict.iter().flat_map(|verdict| &verdict.violations);
-    let object = Object {
-        effective_epsilon: effective_epsilon(&measured, &placed.samples)
-            .as_ref()
-            .map(value),
-        effective_rho: effective_rho(&measured, &placed.samples)
-            .as_ref()
-            .map(value),
+    let epsilon = effective_epsilon(measured, &placed.samples);
+    let rho = effective_rho(measured, &placed.samples);
+    Object {
+        effective_epsilon: epsilon.as_ref().map(value),
+        effective_rho: rho.as_ref().map(value),
         holds: verdict.as_ref().map(Verdict::holds),
         certain: verdict.as_ref().map(|verdict| verdict.certain),
         violations: violations
@@ -73,13 +110,7 @@ pub(crate) fn run(args: &args::Check, console: &Console) -> anyhow::Result<Outco
                 },
             })
             .collect(),
-    };
-    if args.json {
-        output::print_json(&object)?;
-    } else {
-        output::to_stdout(|out| write(out, &object, condition))?;
     }
-    Ok(Outcome::fine_if(object.holds != Some(false)))
 }
 
 fn value(found: &Attained) -> Bounds {
@@ -102,7 +133,7 @@ fn write(out: &mut dyn Write, object: &Object, condition: Option<Condition>) -> 
     let Some(condition) = condition else {
         return Ok(());
     };
-    let (name, bound) = curves::bound(condition);
+    let (name, bound) = name_and_bound(condition);
     for violation in &object.violations {
         let end = |sample: Option<u32>| match sample {
             Some(row) => format!("sample {row}"),

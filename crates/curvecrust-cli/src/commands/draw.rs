@@ -1,8 +1,9 @@
 //! `curvecrust draw`: pictures of curves, points and what is found from them.
 
-use super::bare_points::BarePoints;
-use super::{Outcome, curves, reconstruct};
-use crate::args;
+use super::bare_points::{BarePoints, PointSource};
+use super::curve_source::CurveSource;
+use super::{Outcome, reconstruct};
+use crate::args::{self, Algorithm};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Places};
@@ -10,76 +11,104 @@ use anyhow::ensure;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
-use curvecrust::reconstruct::{Explanation, Reconstruction};
-use std::path::Path;
+use curvecrust::reconstruct::{Explanation, HnnCrust, Reconstruction};
 
-/// The algorithm whose violations are marked if none is drawn: by a theorem, its leaves show where samples
-/// are too sparse.
-const DEFAULT: &str = "hnn-crust";
-
-pub(crate) fn run(args: &args::Draw, console: &Console) -> anyhow::Result<Outcome> {
-    let to = args::Output {
-        output: args.output.clone(),
-        to: None,
-        force: args.force,
-    };
-    let output = Output::new(&to, false, &[Format::Svg])?;
-    let curve = args.curve.as_deref();
-    let curve = curve
-        .map(|path| Drawn::read(args, path, console))
-        .transpose()?;
-    let points = args.points.as_deref();
-    let points = points
-        .map(|path| Found::read(args, path, console))
-        .transpose()?;
-    let mut layers = Vec::new();
-    layers.extend(curve.iter().flat_map(|curve| curve.layers(args)));
-    layers.extend(points.iter().flat_map(|points| points.layers(args)));
-    if let Some(output) = output {
-        output.write(|out| Picture { layers }.write(out))?;
-    }
-    Ok(Outcome::Fine)
+/// What is drawn, and where the picture goes.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: Option<CurveLayers>,
+    points: Option<PointLayers>,
+    output: Output,
 }
 
-/// A curve, and what was asked for about it.
-struct Drawn {
+/// A curve, and what is drawn of it.
+#[derive(Debug)]
+struct CurveLayers {
+    source: CurveSource,
+    medial_axis: bool,
+    lfs: bool,
+}
+
+/// Points, and what is drawn of them.
+#[derive(Debug)]
+struct PointLayers {
+    source: PointSource,
+    /// The algorithm whose edges are drawn.
+    edges: Option<Algorithm>,
+    why: bool,
+    violations: bool,
+}
+
+impl Job {
+    pub(crate) fn new(args: args::Draw) -> anyhow::Result<Self> {
+        Ok(Self {
+            output: Output::new(args.output, None, args.force, &[Format::Svg])?,
+            curve: args.curve.map(|path| CurveLayers {
+                source: CurveSource::of(path),
+                medial_axis: args.medial_axis,
+                lfs: args.lfs,
+            }),
+            points: args.points.map(|path| PointLayers {
+                source: PointSource::new(path, args.reading),
+                edges: args.edges,
+                why: args.why,
+                violations: args.violations,
+            }),
+        })
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let curve = self.curve.as_ref();
+        let curve = curve.map(|asked| asked.read(console)).transpose()?;
+        let points = self.points.as_ref();
+        let points = points.map(|asked| asked.find(console)).transpose()?;
+        let mut layers = Vec::new();
+        layers.extend(curve.iter().flat_map(DrawnCurve::layers));
+        layers.extend(points.iter().flat_map(DrawnPoints::layers));
+        self.output.write(|out| Picture { layers }.write(out))?;
+        Ok(Outcome::Fine)
+    }
+}
+
+/// A curve, and what was measured on it.
+struct DrawnCurve<'a> {
+    asked: &'a CurveLayers,
     curve: Curve,
     measured: Option<MeasuredCurve>,
     axis: Vec<Segment>,
 }
 
-impl Drawn {
-    fn read(args: &args::Draw, path: &Path, console: &Console) -> anyhow::Result<Self> {
+impl CurveLayers {
+    fn read(&self, console: &Console) -> anyhow::Result<DrawnCurve<'_>> {
+        let is_measured = self.medial_axis || self.lfs;
         // A picture alone has nothing against corners.
-        let curve = if args.medial_axis || args.lfs {
-            curves::read(path)?
+        let curve = if is_measured {
+            self.source.read()?
         } else {
-            curves::read_split(path)?.pieces().clone()
+            self.source.read_split()?.pieces().clone()
         };
-        let settings = args::Curve {
-            path: path.to_owned(),
-            gap: None,
-            per_segment: None,
-        };
-        let measured = (args.medial_axis || args.lfs)
-            .then(|| curves::measured(&settings, &curve, None, console))
+        let measured = is_measured
+            .then(|| self.source.measure(&curve, None, console))
             .transpose()?;
         let mut axis = Vec::new();
-        if let Some(measured) = measured.as_ref().filter(|_| args.medial_axis) {
+        if let Some(measured) = measured.as_ref().filter(|_| self.medial_axis) {
             let found = MedialAxis::new(measured.dense())?;
             axis.extend(found.edges().map(|edge| edge.segment));
         }
-        Ok(Self {
+        Ok(DrawnCurve {
+            asked: self,
             curve,
             measured,
             axis,
         })
     }
+}
 
-    fn layers(&self, args: &args::Draw) -> Vec<Layer<'_>> {
-        let axis = args.medial_axis.then_some(Layer::Axis(&self.axis));
+impl DrawnCurve<'_> {
+    fn layers(&self) -> Vec<Layer<'_>> {
+        let axis = self.asked.medial_axis.then_some(Layer::Axis(&self.axis));
         let curve = match &self.measured {
-            Some(measured) if args.lfs => Layer::Lfs(measured),
+            Some(measured) if self.asked.lfs => Layer::Lfs(measured),
             _ => Layer::Curve(&self.curve),
         };
         axis.into_iter().chain([curve]).collect()
@@ -87,53 +116,57 @@ impl Drawn {
 }
 
 /// Points, and what was found from them.
-struct Found {
+struct DrawnPoints<'a> {
+    asked: &'a PointLayers,
     bare: BarePoints,
     curves: Option<Reconstruction>,
     why: Option<Explanation>,
 }
 
-impl Found {
-    fn read(args: &args::Draw, path: &Path, console: &Console) -> anyhow::Result<Self> {
-        let source = args::Points {
-            path: path.to_owned(),
-            from: args.from,
-            merge_duplicates: args.merge_duplicates,
+impl PointLayers {
+    fn find(&self, console: &Console) -> anyhow::Result<DrawnPoints<'_>> {
+        let bare = self.source.read(console)?;
+        let mut drawn = DrawnPoints {
+            asked: self,
+            bare,
+            curves: None,
+            why: None,
         };
-        let bare = BarePoints::read(&source, console)?;
-        if args.edges.is_none() && !args.violations {
-            return Ok(Self {
-                bare,
-                curves: None,
-                why: None,
-            });
+        if self.edges.is_none() && !self.violations {
+            return Ok(drawn);
         }
-        let algorithm = reconstruct::algorithm(args.edges.as_deref().unwrap_or(DEFAULT))?;
+        let points = &drawn.bare.points;
+        // Violations alone are those of HNN-Crust: by its theorem, its leaves show where samples
+        // are too sparse.
+        let algorithm = self.edges.unwrap_or(&HnnCrust::MUTUAL);
         let (edges, why) = console.during("reconstructing", |_| {
-            if args.why {
-                reconstruct::explained(algorithm, &bare.points, &[])
+            if self.why {
+                reconstruct::explained(algorithm, points, &[])
             } else {
-                Ok((algorithm.reconstruct(&bare.points), None))
+                Ok((algorithm.reconstruct(points), None))
             }
         })?;
         ensure!(
-            why.is_some() || !args.why,
+            why.is_some() || !self.why,
             "{} gives no reasons for its edges: draw without --why",
             algorithm.info().name
         );
-        let curves = Some(Reconstruction::new(&bare.points, edges)?);
-        Ok(Self { bare, curves, why })
+        drawn.curves = Some(Reconstruction::new(points, edges)?);
+        drawn.why = why;
+        Ok(drawn)
     }
+}
 
-    fn layers(&self, args: &args::Draw) -> Vec<Layer<'_>> {
+impl DrawnPoints<'_> {
+    fn layers(&self) -> Vec<Layer<'_>> {
         let points = &self.bare.points;
         let mut layers = Vec::new();
         if let Some(why) = &self.why {
             layers.push(Layer::Why(points, why));
-        } else if let Some(curves) = self.curves.as_ref().filter(|_| args.edges.is_some()) {
+        } else if let Some(curves) = self.curves.as_ref().filter(|_| self.asked.edges.is_some()) {
             layers.push(Layer::Edges(reconstruct::paths(points, curves)));
         }
-        if let Some(curves) = self.curves.as_ref().filter(|_| args.violations) {
+        if let Some(curves) = self.curves.as_ref().filter(|_| self.asked.violations) {
             layers.push(Layer::Marks {
                 leaves: Places::named(points, curves.leaves()),
                 isolated: Places::named(points, curves.isolated()),

@@ -1,9 +1,11 @@
 //! `curvecrust evaluate`: what algorithms find, against the curve that was sampled.
 
-use super::bare_points::BarePoints;
-use super::{Bounds, Outcome, curves, reconstruct};
+use super::bare_points::{BarePoints, PointSource};
+use super::curve_source::CurveSource;
+use super::{Bounds, Outcome};
+use crate::args::{self, Algorithm, Distance};
 use crate::console::Console;
-use crate::{args, input, output};
+use crate::output;
 use anyhow::Context;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::{EdgeComparison, hausdorff};
@@ -27,7 +29,7 @@ struct Object {
 
 #[derive(Serialize)]
 struct Evaluation {
-    algorithm: String,
+    algorithm: &'static str,
     exact: bool,
     correct: usize,
     missing: Vec<[u32; 2]>,
@@ -36,31 +38,57 @@ struct Evaluation {
     polygon_to_curve: Bounds,
 }
 
-pub(crate) fn run(args: &args::Evaluate, console: &Console) -> anyhow::Result<Outcome> {
-    let curve = curves::read(&args.curve.path)?;
-    let bare = BarePoints::read(&args.points, console)?;
-    let measured = curves::measured(&args.curve, &curve, None, console)?;
-    let tolerance = args.tolerance.tolerance.of_extent(curve.extent());
-    let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
-        .with_context(|| input::name(&args.points.path))?;
-    let truth = consecutive(&measured, &placed);
-    let evaluate = |name: &String| evaluate(&curve, &bare, &truth, name);
-    let results = console.during("evaluating", |_| {
-        args.algorithm.iter().map(evaluate).collect()
-    });
-    let object = Object {
-        points: bare.points.len(),
-        true_edges: truth.len(),
-        results: Result::from_iter::<Vec<_>>(results)?,
-    };
-    if args.json {
-        output::print_json(&object)?;
-    } else {
-        output::to_stdout(|out| write(out, &object))?;
+/// Which algorithms are compared, on which samples of which curve.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: CurveSource,
+    points: PointSource,
+    algorithms: Vec<Algorithm>,
+    tolerance: Distance,
+    json: bool,
+}
+
+impl From<args::Evaluate> for Job {
+    fn from(args: args::Evaluate) -> Self {
+        Self {
+            curve: args.curve.into(),
+            points: args.points.into(),
+            algorithms: args.algorithm,
+            tolerance: args.tolerance.tolerance,
+            json: args.json,
+        }
     }
-    Ok(Outcome::fine_if(
-        object.results.iter().all(|result| result.exact),
-    ))
+}
+
+impl Job {
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let curve = self.curve.read()?;
+        let bare = self.points.read(console)?;
+        let measured = self.curve.measure(&curve, None, console)?;
+        let tolerance = self.tolerance.of_extent(curve.extent());
+        let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
+            .with_context(|| self.points.name())?;
+        let truth = consecutive(&measured, &placed);
+        let algorithms = self.algorithms.iter();
+        let results = console.during("evaluating", |_| {
+            algorithms
+                .map(|&algorithm| evaluate(&curve, &bare, &truth, algorithm))
+                .collect()
+        });
+        let object = Object {
+            points: bare.points.len(),
+            true_edges: truth.len(),
+            results,
+        };
+        if self.json {
+            output::print_json(&object)?;
+        } else {
+            output::to_stdout(|out| write(out, &object))?;
+        }
+        Ok(Outcome::fine_if(
+            object.results.iter().all(|result| result.exact),
+        ))
+    }
 }
 
 /// The edges between consecutive samples of each component.
@@ -79,13 +107,8 @@ fn consecutive(measured: &MeasuredCurve, placed: &Projected) -> EdgeSet {
     EdgeSet::new(placed.indices.len(), edges)
 }
 
-fn evaluate(
-    curve: &Curve,
-    bare: &BarePoints,
-    truth: &EdgeSet,
-    name: &str,
-) -> anyhow::Result<Evaluation> {
-    let found = reconstruct::algorithm(name)?.reconstruct(&bare.points);
+fn evaluate(curve: &Curve, bare: &BarePoints, truth: &EdgeSet, algorithm: Algorithm) -> Evaluation {
+    let found = algorithm.reconstruct(&bare.points);
     let comparison = EdgeComparison::new(truth, &found);
     let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
     let distance = hausdorff(curve, &bare.points, &found, tolerance);
@@ -93,15 +116,15 @@ fn evaluate(
         let edges = edges.iter();
         edges.map(|edge| edge.ends().map(|v| bare.row(v))).collect()
     };
-    Ok(Evaluation {
-        algorithm: name.to_owned(),
+    Evaluation {
+        algorithm: algorithm.info().name,
         exact: comparison.is_exact(),
         correct: comparison.correct.len(),
         missing: rows(&comparison.missing),
         wrong: rows(&comparison.wrong),
         curve_to_polygon: distance.curve_to_polygon.into(),
         polygon_to_curve: distance.polygon_to_curve.into(),
-    })
+    }
 }
 
 fn write(out: &mut dyn Write, object: &Object) -> io::Result<()> {

@@ -1,10 +1,11 @@
 //! `curvecrust lfs`: the local feature size along curves.
 
-use super::{Outcome, curves};
+use super::Outcome;
+use super::curve_source::CurveSource;
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{self, Number, Output};
+use crate::output::{Number, Results};
 use curvecrust::medial_axis::MeasuredCurve;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -26,25 +27,38 @@ struct Component {
     lfs: Vec<f64>,
 }
 
-pub(crate) fn run(args: &args::Lfs, console: &Console) -> anyhow::Result<Outcome> {
-    let output = Output::new(&args.output, args.json, FORMATS)?;
-    let curve = curves::read(&args.curve.path)?;
-    let measured = curves::measured(&args.curve, &curve, None, console)?;
-    if let Some(output) = output {
-        match output.format {
-            Format::Json => output.write_json(&object(&measured))?,
-            _ => output.write(|out| write_csv(out, &measured))?,
+/// Which curves are measured, and where the table goes.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: CurveSource,
+    results: Results,
+}
+
+impl Job {
+    pub(crate) fn new(args: args::Lfs) -> anyhow::Result<Self> {
+        Ok(Self {
+            results: Results::new(args.output, args.json, FORMATS)?,
+            curve: args.curve.into(),
+        })
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let curve = self.curve.read()?;
+        let measured = self.curve.measure(&curve, None, console)?;
+        if let Some(output) = &self.results.output {
+            match output.format {
+                Format::Json => output.write_json(&object(&measured))?,
+                _ => output.write(|out| write_csv(out, &measured))?,
+            }
         }
+        self.results.print_json(|| Ok(object(&measured)))?;
+        console.note(format_args!(
+            "{} points, local feature size {} and more",
+            measured.dense().len(),
+            Number(measured.lfs().minimum())
+        ));
+        Ok(Outcome::Fine)
     }
-    if args.json {
-        output::print_json(&object(&measured))?;
-    }
-    console.say(format_args!(
-        "{} points, local feature size {} and more",
-        measured.dense().len(),
-        Number(measured.lfs().minimum())
-    ));
-    Ok(Outcome::Fine)
 }
 
 fn write_csv(out: &mut dyn Write, measured: &MeasuredCurve) -> io::Result<()> {

@@ -1,10 +1,12 @@
 //! `curvecrust medial-axis`: the medial axis of curves.
 
-use super::{Outcome, curves};
+use super::Outcome;
+use super::curve_source::CurveSource;
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{self, Feature, Layer, Number, Output, Picture, Shape};
+use crate::output::{Feature, Layer, Number, Output, Picture, Results, Shape};
+use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::MedialAxis;
 use serde::Serialize;
@@ -26,36 +28,53 @@ struct Object {
     segments: Vec<[[f64; 2]; 2]>,
 }
 
-/// What GeoJSON tells about the axis, beside its places.
+/// The properties of the axis in GeoJSON: none.
 #[derive(Serialize)]
 struct Nothing {}
 
-pub(crate) fn run(args: &args::MedialAxis, console: &Console) -> anyhow::Result<Outcome> {
-    let output = Output::new(&args.output, args.json, FORMATS)?;
-    let curve = curves::read(&args.curve.path)?;
-    let measured = curves::measured(&args.curve, &curve, None, console)?;
-    let axis = MedialAxis::new(measured.dense())?;
-    let segments: Vec<Segment> = axis.edges().map(|edge| edge.segment).collect();
-    if let Some(output) = output {
-        match output.format {
-            Format::Csv => output.write(|out| write_csv(out, &segments))?,
-            Format::Json => output.write_json(&object(&segments))?,
-            Format::Svg => {
-                let layers = vec![Layer::Curve(&curve), Layer::Axis(&segments)];
-                output.write(|out| Picture { layers }.write(out))?;
-            }
-            _ => {
-                let shape = Shape::Segments(&segments);
-                let properties = Nothing {};
-                output.write_features(std::iter::once(Feature { shape, properties }))?;
-            }
+/// Which curves are measured, and where the axis goes.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: CurveSource,
+    results: Results,
+}
+
+impl Job {
+    pub(crate) fn new(args: args::MedialAxis) -> anyhow::Result<Self> {
+        Ok(Self {
+            results: Results::new(args.output, args.json, FORMATS)?,
+            curve: args.curve.into(),
+        })
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let curve = self.curve.read()?;
+        let measured = self.curve.measure(&curve, None, console)?;
+        let axis = MedialAxis::new(measured.dense())?;
+        let segments: Vec<Segment> = axis.edges().map(|edge| edge.segment).collect();
+        if let Some(output) = &self.results.output {
+            write(output, &curve, &segments)?;
+        }
+        self.results.print_json(|| Ok(object(&segments)))?;
+        console.note(format_args!("{} segments", segments.len()));
+        Ok(Outcome::Fine)
+    }
+}
+
+fn write(output: &Output, curve: &Curve, segments: &[Segment]) -> anyhow::Result<()> {
+    match output.format {
+        Format::Csv => output.write(|out| write_csv(out, segments)),
+        Format::Json => output.write_json(&object(segments)),
+        Format::Svg => {
+            let layers = vec![Layer::Curve(curve), Layer::Axis(segments)];
+            output.write(|out| Picture { layers }.write(out))
+        }
+        _ => {
+            let shape = Shape::Segments(segments);
+            let properties = Nothing {};
+            output.write_features(std::iter::once(Feature { shape, properties }))
         }
     }
-    if args.json {
-        output::print_json(&object(&segments))?;
-    }
-    console.say(format_args!("{} segments", segments.len()));
-    Ok(Outcome::Fine)
 }
 
 fn object(segments: &[Segment]) -> Object {

@@ -6,16 +6,13 @@ mod summary;
 mod why;
 
 use super::Outcome;
-use super::bare_points::BarePoints;
-use crate::args;
+use super::bare_points::{BarePoints, PointSource};
+use crate::args::{self, Algorithm, Known};
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{self, Layer, Output, Picture, npy};
-use anyhow::anyhow;
+use crate::output::{Layer, Output, Picture, Results, npy};
 use curvecrust::geometry::{EdgeSet, PointId, PointSet};
-use curvecrust::reconstruct::{
-    ALGORITHMS, Explanation, ReconstructError, Reconstruction, Reconstructor,
-};
+use curvecrust::reconstruct::{Explanation, ReconstructError, Reconstruction};
 use result::Found;
 pub(crate) use result::paths;
 use summary::Summary;
@@ -31,39 +28,77 @@ const FORMATS: &[Format] = &[
     Format::Npy,
 ];
 
-pub(crate) fn run(args: &args::Reconstruct, console: &Console) -> anyhow::Result<Outcome> {
-    let output = Output::new(&args.output, args.json, FORMATS)?;
-    let algorithm = algorithm(&args.algorithm)?;
-    let bare = BarePoints::read(&args.points, console)?;
-    let termini = args.terminus.iter().map(|&row| bare.point(row));
-    let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
-    // Objects alone have room for reasons, which take longer to find than the edges.
-    let is_object = output.as_ref().is_some_and(|o| o.format == Format::Json);
-    let (edges, why) = console.during("reconstructing", |_| {
-        if args.json || is_object {
-            explained(algorithm, &bare.points, &termini)
-        } else {
-            Ok((algorithm.reconstruct_open(&bare.points, &termini)?, None))
-        }
-    })?;
-    let summary = Summary::new(&bare, &edges, &termini);
-    console.during("writing", |_| {
-        write(output.as_ref(), args, &bare, edges, why)
-    })?;
-    console.say(summary);
-    Ok(Outcome::Fine)
+/// Which points are reconstructed and how, and where the curves go.
+#[derive(Debug)]
+pub(crate) struct Job {
+    points: PointSource,
+    algorithm: Algorithm,
+    known: Known,
+    results: Results,
 }
 
-/// The algorithm of a name.
-pub(crate) fn algorithm(name: &str) -> anyhow::Result<&'static dyn Reconstructor> {
-    let mut all = ALGORITHMS.iter().copied();
-    all.find(|algorithm| algorithm.info().name == name)
-        .ok_or_else(|| anyhow!("there is no algorithm {name}: see `curvecrust algorithms`"))
+impl Job {
+    pub(crate) fn new(args: args::Reconstruct) -> anyhow::Result<Self> {
+        Ok(Self {
+            results: Results::new(args.output, args.json, FORMATS)?,
+            points: args.points.into(),
+            algorithm: args.algorithm,
+            known: args.known,
+        })
+    }
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let bare = self.points.read(console)?;
+        let termini = self.known.terminus.iter().map(|&row| bare.point(row));
+        let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
+        // Objects alone have room for reasons, which take longer to find than the edges.
+        let with_reasons = self.results.json || self.results.writes(Format::Json);
+        let (edges, why) = console.during("reconstructing", |_| {
+            if with_reasons {
+                explained(self.algorithm, &bare.points, &termini)
+            } else {
+                let edges = self.algorithm.reconstruct_open(&bare.points, &termini)?;
+                Ok((edges, None))
+            }
+        })?;
+        let summary = Summary::new(&bare, &edges, &termini);
+        console.during("writing", |_| self.write(&bare, edges, why))?;
+        console.note(summary);
+        Ok(Outcome::Fine)
+    }
+
+    fn write(
+        &self,
+        bare: &BarePoints,
+        edges: EdgeSet,
+        why: Option<Explanation>,
+    ) -> anyhow::Result<()> {
+        let Results { output, json } = &self.results;
+        // Edges alone need not be ordered, for which many points would take much memory.
+        if let Some(output) = output.as_ref().filter(|o| o.format == Format::Npy) {
+            let edges = edges.edges().iter();
+            let rows = edges.map(|edge| edge.ends().map(|v| bare.row(v)));
+            output.write(|out| npy::write_u32(out, rows))?;
+            if !json {
+                return Ok(());
+            }
+        }
+        let found = Found {
+            algorithm: self.algorithm.info().name,
+            bare,
+            curves: Reconstruction::new(&bare.points, edges)?,
+            why,
+        };
+        if let Some(output) = output {
+            write_curves(output, &found)?;
+        }
+        self.results.print_json(|| Ok(&found))
+    }
 }
 
 /// The edges, with reasons by algorithms that give some.
 pub(crate) fn explained(
-    algorithm: &dyn Reconstructor,
+    algorithm: Algorithm,
     points: &PointSet,
     termini: &[PointId],
 ) -> Result<(EdgeSet, Option<Explanation>), ReconstructError> {
@@ -73,45 +108,18 @@ pub(crate) fn explained(
     }
 }
 
-fn write(
-    output: Option<&Output>,
-    args: &args::Reconstruct,
-    bare: &BarePoints,
-    edges: EdgeSet,
-    why: Option<Explanation>,
-) -> anyhow::Result<()> {
-    // Edges alone need not be ordered, for which many points would take much memory.
-    if let Some(output) = output.filter(|output| output.format == Format::Npy) {
-        let rows = edges
-            .edges()
-            .iter()
-            .map(|edge| edge.ends().map(|v| bare.row(v)));
-        output.write(|out| npy::write_u32(out, rows))?;
-        if !args.json {
-            return Ok(());
+/// Writes the curves, in every format but the one that holds edges alone.
+fn write_curves(output: &Output, found: &Found<'_>) -> anyhow::Result<()> {
+    match output.format {
+        Format::Csv => output.write(|out| found.write_csv(out)),
+        Format::Json => output.write_json(found),
+        Format::Svg => {
+            let points = &found.bare.points;
+            let edges = Layer::Edges(paths(points, &found.curves));
+            let layers = vec![edges, Layer::Points(points.points())];
+            output.write(|out| Picture { layers }.write(out))
         }
+        Format::Npy => Ok(()),
+        _ => output.write_features(found.features(&found.rings())),
     }
-    let found = Found {
-        algorithm: &args.algorithm,
-        bare,
-        curves: Reconstruction::new(&bare.points, edges)?,
-        why,
-    };
-    if let Some(output) = output {
-        match output.format {
-            Format::Csv => output.write(|out| found.write_csv(out))?,
-            Format::Json => output.write_json(&found)?,
-            Format::Svg => {
-                let edges = Layer::Edges(paths(&bare.points, &found.curves));
-                let layers = vec![edges, Layer::Points(bare.points.points())];
-                output.write(|out| Picture { layers }.write(out))?;
-            }
-            Format::Npy => {}
-            _ => output.write_features(found.features(&found.rings()))?,
-        }
-    }
-    if args.json {
-        output::print_json(&found)?;
-    }
-    Ok(())
 }

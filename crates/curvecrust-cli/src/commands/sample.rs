@@ -1,11 +1,12 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
-use super::{Bounds, Outcome, curves};
+use super::condition::{Requirement, name_and_bound};
+use super::curve_source::CurveSource;
+use super::{Bounds, Outcome};
 use crate::args::{self, Corners, Count};
 use crate::console::Console;
 use crate::format::Format;
-use crate::input;
-use crate::output::{self, Feature, Layer, Number, Output, Picture, Places, Shape, npy};
+use crate::output::{Feature, Layer, Number, Output, Picture, Places, Results, Shape, npy};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
@@ -58,115 +59,149 @@ struct Component {
     closed: bool,
 }
 
-/// What GeoJSON tells about the samples of a component.
+/// The properties of the samples of a component in GeoJSON.
 #[derive(Serialize)]
 struct Properties {
     curve: usize,
 }
 
-pub(crate) fn run(args: &args::Sample, console: &Console) -> anyhow::Result<Outcome> {
-    let output = Output::new(&args.output, args.json, FORMATS)?;
-    let (curve, condition, sampling) = match args.corners {
-        Corners::Refuse => {
-            let curve = curves::read_or_say_split(&args.curve.path)?;
-            let condition = condition(args, &curve)?;
-            let given = (args.curve.gap.is_some() || args.curve.per_segment.is_some())
-                .then(|| curves::measured(&args.curve, &curve, None, console))
-                .transpose()?;
-            let sampling = taken(args, &curve, given, condition, console)
-                .with_context(|| input::name(&args.curve.path))?;
-            (curve, condition, sampling)
-        }
-        Corners::Split => {
-            let split = curves::read_split(&args.curve.path)?;
-            let (condition, sampling) = from_corner_to_corner(args, &split, console)
-                .with_context(|| input::name(&args.curve.path))?;
-            (split.pieces().clone(), condition, sampling)
-        }
-    };
-    let samples = &sampling.samples;
-    if let Some(output) = output {
-        match output.format {
-            Format::Csv => output.write(|out| write_csv(out, samples))?,
-            Format::Text => output.write(|out| write_text(out, samples))?,
-            Format::Npy => {
-                let rows = samples.points().iter().map(|p| p.to_array());
-                output.write(|out| npy::write_f64(out, rows))?;
-            }
-            Format::Json => output.write_json(&object(&curve, condition, &sampling)?)?,
-            Format::Svg => {
-                let layers = vec![Layer::Points(samples.points())];
-                output.write(|out| Picture { layers }.write(out))?;
-            }
-            _ => output.write_features(features(samples))?,
-        }
-    }
-    if args.json {
-        output::print_json(&object(&curve, condition, &sampling)?)?;
-    }
-    let (name, bound) = curves::bound(condition);
-    let verified = if args.count == Count::Verified {
-        ", fewer than the condition asks for: verified for this sample set only"
-    } else {
-        ""
-    };
-    console.say(format_args!(
-        "{} samples for {name} < {bound}{verified}",
-        samples.len()
-    ));
-    Ok(Outcome::Fine)
+/// Which curves are sampled and how, and where the samples go.
+#[derive(Debug)]
+pub(crate) struct Job {
+    curve: CurveSource,
+    requirement: Requirement,
+    method: Method,
+    results: Results,
 }
 
-fn condition(args: &args::Sample, curve: &Curve) -> anyhow::Result<Condition> {
-    let condition = curves::condition(&args.condition, curve)?;
-    condition.context("give either --rho or --epsilon")
+/// How samples are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Method {
+    /// Of smooth curves.
+    Smooth(Count),
+    /// Of curves split at their corners.
+    Split,
 }
 
-/// Samples of every smooth piece, put together; what attains the bound is a piece.
-fn from_corner_to_corner(
-    args: &args::Sample,
-    split: &SplitCurve,
-    console: &Console,
-) -> anyhow::Result<(Condition, Sampling)> {
-    if args.curve.gap.is_some() || args.curve.per_segment.is_some() || args.count != Count::Fewest {
-        bail!("--corners split goes without --gap, --per-segment and --count");
-    }
-    let condition = condition(args, split.pieces())?;
-    let sampling = console.during("sampling", |progress| {
-        let progress = Progress::new(progress);
-        sample_split_with(split, condition, &SampleOptions { progress })
-    })?;
-    let samples = &sampling.samples;
-    let corners = split.corners().len();
-    if corners > 0 {
-        let found = if hnn_crust(&samples.point_set()?) == samples.manifold_boundary() {
-            "returns exactly the polygon"
-        } else {
-            "does not return the polygon"
+impl Job {
+    pub(crate) fn new(args: args::Sample) -> anyhow::Result<Self> {
+        let results = Results::new(args.output, args.json, FORMATS)?;
+        let requirement = Requirement::new(&args.condition)?;
+        let curve = CurveSource::from(args.curve);
+        let method = match args.corners {
+            Corners::Refuse => Method::Smooth(args.count),
+            Corners::Split => Method::Split,
         };
-        console.say(format_args!(
-            "{corners} corners, which no theorem covers: HNN-Crust {found} of these samples"
-        ));
+        if method == Method::Split
+            && (curve.discretisation().is_some() || args.count != Count::Fewest)
+        {
+            bail!("--corners split cannot be used with --gap, --per-segment or --count");
+        }
+        Ok(Self {
+            curve,
+            requirement: requirement.context("give either --rho or --epsilon")?,
+            method,
+            results,
+        })
     }
-    Ok((condition, sampling))
+
+    pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
+        let (curve, sampled) = match self.method {
+            Method::Smooth(count) => {
+                let curve = self.curve.read_or_advise_split()?;
+                let sampled = self.sample_smooth(&curve, count, console)?;
+                (curve, sampled)
+            }
+            Method::Split => {
+                let split = self.curve.read_split()?;
+                let sampled = self.sample_pieces(&split, console);
+                let sampled = sampled.with_context(|| self.curve.name())?;
+                (split.pieces().clone(), sampled)
+            }
+        };
+        if let Some(output) = &self.results.output {
+            write(output, &curve, &sampled)?;
+        }
+        self.results.print_json(|| object(&curve, &sampled))?;
+        let (name, bound) = name_and_bound(sampled.condition);
+        let verified = if self.method == Method::Smooth(Count::Verified) {
+            ", fewer than the condition asks for: verified for this sample set only"
+        } else {
+            ""
+        };
+        console.note(format_args!(
+            "{} samples for {name} < {bound}{verified}",
+            sampled.sampling.samples.len()
+        ));
+        Ok(Outcome::Fine)
+    }
+
+    /// Samples of every smooth piece, put together; what attains the bound is a piece.
+    fn sample_pieces(&self, split: &SplitCurve, console: &Console) -> anyhow::Result<Sampled> {
+        let condition = self.requirement.on(split.pieces())?;
+        let sampling = console.during("sampling", |progress| {
+            let progress = Progress::new(progress);
+            sample_split_with(split, condition, &SampleOptions { progress })
+        })?;
+        let samples = &sampling.samples;
+        let corners = split.corners().len();
+        if corners > 0 {
+            let found = if hnn_crust(&samples.point_set()?) == samples.manifold_boundary() {
+                "returns exactly the polygon"
+            } else {
+                "does not return the polygon"
+            };
+            console.note(format_args!(
+                "{corners} corners, which no theorem covers: HNN-Crust {found} of these samples"
+            ));
+        }
+        Ok(Sampled {
+            condition,
+            sampling,
+        })
+    }
+
+    /// Samples of smooth curves, at the dense points that were asked for or at as many as needed.
+    fn sample_smooth(
+        &self,
+        curve: &Curve,
+        count: Count,
+        console: &Console,
+    ) -> anyhow::Result<Sampled> {
+        let condition = self.requirement.on(curve)?;
+        let measured = (self.curve.discretisation().is_some())
+            .then(|| self.curve.measure(curve, None, console))
+            .transpose()?;
+        let sampling = chosen(curve, measured, condition, count, console);
+        Ok(Sampled {
+            condition,
+            sampling: sampling.with_context(|| self.curve.name())?,
+        })
+    }
 }
 
-/// Samples as they were asked for, at dense points that are given, or as many as needed.
-fn taken(
-    args: &args::Sample,
-    curve: &Curve,
-    given: Option<MeasuredCurve>,
+/// Samples, and the condition that they were taken for.
+struct Sampled {
     condition: Condition,
+    sampling: Sampling,
+}
+
+/// The samples that were asked for among all that satisfy the condition.
+fn chosen(
+    curve: &Curve,
+    measured: Option<MeasuredCurve>,
+    condition: Condition,
+    count: Count,
     console: &Console,
 ) -> anyhow::Result<Sampling> {
-    let greedy = match given {
+    let greedy = match measured {
         Some(measured) => sample(&measured, condition)?,
         None => console.during("sampling", |progress| {
             let progress = Progress::new(progress);
             sample_curve_with(curve, condition, &SampleOptions { progress })
         })?,
     };
-    match args.count {
+    match count {
         Count::Greedy => Ok(greedy),
         Count::Fewest => Ok(console.during("sampling from every start", |progress| {
             let progress = Progress::new(progress);
@@ -185,14 +220,33 @@ fn taken(
     }
 }
 
-fn object(curve: &Curve, condition: Condition, sampling: &Sampling) -> anyhow::Result<Object> {
+fn write(output: &Output, curve: &Curve, sampled: &Sampled) -> anyhow::Result<()> {
+    let samples = &sampled.sampling.samples;
+    match output.format {
+        Format::Csv => output.write(|out| write_csv(out, samples)),
+        Format::Text => output.write(|out| write_text(out, samples)),
+        Format::Npy => {
+            let rows = samples.points().iter().map(|p| p.to_array());
+            output.write(|out| npy::write_f64(out, rows))
+        }
+        Format::Json => output.write_json(&object(curve, sampled)?),
+        Format::Svg => {
+            let layers = vec![Layer::Points(samples.points())];
+            output.write(|out| Picture { layers }.write(out))
+        }
+        _ => output.write_features(features(samples)),
+    }
+}
+
+fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
+    let condition = sampled.condition;
     let Sampling {
         samples, attained, ..
-    } = sampling;
+    } = &sampled.sampling;
     let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
     let polygon = samples.manifold_boundary();
     let distance = hausdorff(curve, &samples.point_set()?, &polygon, tolerance).distance();
-    let (name, bound) = curves::bound(condition);
+    let (name, bound) = name_and_bound(condition);
     let components = samples.components().iter().map(|component| Component {
         start: component.range.start,
         end: component.range.end,

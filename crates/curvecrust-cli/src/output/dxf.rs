@@ -1,7 +1,7 @@
 //! Drawing exchange format, of AutoCAD R12: the version that every program reads.
 //!
-//! Rings are closed polylines and chains open ones, on layers named after their kind. Each item is a
-//! line with the code of a group and a line with its value.
+//! Rings are closed polylines and chains open ones, on layers named after their kind. Each item is
+//! a line with the code of a group and a line with its value.
 
 use super::{Feature, Number, Places, Shape};
 use curvecrust::DVec2;

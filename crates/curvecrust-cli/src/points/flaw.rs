@@ -38,6 +38,12 @@ pub(crate) enum Place {
     Column(u64, usize),
     /// A line of a table, and one of its columns.
     Field(u64, usize),
+    /// A row of an array, and one of its columns.
+    Row(u64, usize),
+    /// A feature of a collection.
+    Feature(usize),
+    /// A feature, if there is a collection, and one of its positions.
+    Position(Option<usize>, usize),
 }
 
 /// What is wrong there.
@@ -68,13 +74,14 @@ pub(crate) enum Problem {
     Long(String),
     #[error("{found} columns without names: head those of the coordinates x and y")]
     Unnamed { found: usize },
+    #[error("no columns are named x and y: there are {found}; pass --x and --y with two of them")]
+    NoColumns { found: String },
     #[error("no column is named {missing}: there are {found}")]
-    NoColumn {
-        missing: &'static str,
-        found: String,
-    },
-    #[error("two columns are named {0}")]
-    TwoColumns(&'static str),
+    NoColumn { missing: String, found: String },
+    #[error("{0} could both be meant: pass --x and --y with the names of two columns")]
+    TwoColumns(String),
+    #[error("--x and --y name columns of tables, but this is {}", .0.name())]
+    NoTable(Format),
     #[error("{0}")]
     Json(String),
     #[error("the object has neither `points` nor `samples`, nor is it GeoJSON")]
@@ -91,6 +98,10 @@ pub(crate) enum Problem {
     Type(String),
     #[error("the shape is ({0}): points have the shape (n, 2)")]
     Shape(String),
+    #[error("the header of the array is more than {0} bytes long")]
+    LongHeader(usize),
+    #[error("`fortran_order` is `{0}`: it has to be True or False")]
+    Order(String),
     #[error("the array is cut off before the end of its {rows} rows")]
     Truncated { rows: usize },
     #[error("the file goes on after the {rows} rows of its array")]
@@ -101,14 +112,16 @@ pub(crate) enum Problem {
     Xml(String),
     #[error("the elements are more than {0} levels deep: simplify the document")]
     Deep(usize),
-    #[error("its entities stand for more than {0} bytes: write out what they stand for")]
-    Entities(usize),
+    #[error("{0}")]
+    Markup(String),
     #[error("there are no circles and no paths")]
     NoShapes,
     #[error("`{0}` elements are not followed: put the shapes themselves in the drawing")]
     Element(String),
     #[error("{name} is `{found}`, which cannot be read")]
     Attribute { name: String, found: String },
+    #[error("{name} {message}")]
+    Value { name: String, message: String },
     #[error("the line has {found} columns, the first has {expected}")]
     Ragged { found: usize, expected: usize },
 }
@@ -141,23 +154,12 @@ impl fmt::Display for Place {
             Self::Line(line) => write!(f, ", line {line}"),
             Self::Column(line, column) => write!(f, ", line {line}, column {column}"),
             Self::Field(line, field) => write!(f, ", line {line}, field {field}"),
+            Self::Row(row, column) => write!(f, ", row {row}, column {column}"),
+            Self::Feature(feature) => write!(f, ", feature {feature}"),
+            Self::Position(None, position) => write!(f, ", position {position}"),
+            Self::Position(Some(feature), position) => {
+                write!(f, ", feature {feature}, position {position}")
+            }
         }
     }
-}
-
-/// What stood in a file, fit for one line of a terminal.
-pub(crate) fn shown(bytes: &[u8]) -> String {
-    const MOST: usize = 40;
-    let text = String::from_utf8_lossy(bytes);
-    let mut shown = String::new();
-    for c in text.chars().take(MOST) {
-        match c {
-            '\'' | '"' | '\\' => shown.push(c),
-            _ => shown.extend(c.escape_debug()),
-        }
-    }
-    if text.chars().nth(MOST).is_some() {
-        shown.push_str("...");
-    }
-    shown
 }

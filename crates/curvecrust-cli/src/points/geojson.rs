@@ -1,50 +1,81 @@
-//! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s, in
-//! order.
+//! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s,
+//! in order, without their heights.
 
-use super::json::parse;
-use super::{Flaw, Problem, in_range};
+use super::json_text::parse;
+use super::{Flaw, Place, PointList, Problem, in_double_range};
 use curvecrust::DVec2;
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
-    let geometries = match parse(bytes)? {
-        GeoJson::Geometry(geometry) => vec![geometry],
-        // A feature without a geometry is no place.
-        GeoJson::Feature(feature) => Vec::from_iter(feature.geometry),
+pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
+    let mut positions = Positions::default();
+    match parse(bytes)? {
+        GeoJson::Geometry(geometry) => positions.collect(&geometry)?,
+        GeoJson::Feature(feature) => {
+            // A feature without a geometry is no place.
+            feature
+                .geometry
+                .iter()
+                .try_for_each(|g| positions.collect(g))?;
+        }
         GeoJson::FeatureCollection(collection) => {
-            let features = collection.features.into_iter();
-            features.filter_map(|feature| feature.geometry).collect()
-        }
-    };
-    let mut points = Vec::new();
-    geometries
-        .iter()
-        .try_for_each(|geometry| collect(geometry, &mut points))?;
-    Ok(points)
-}
-
-fn collect(geometry: &Geometry, points: &mut Vec<DVec2>) -> Result<(), Problem> {
-    match &geometry.value {
-        GeometryValue::Point { coordinates } => points.push(place(coordinates, "Point")?),
-        GeometryValue::MultiPoint { coordinates } => {
-            for position in coordinates {
-                points.push(place(position, "MultiPoint")?);
+            for (index, feature) in collection.features.iter().enumerate() {
+                positions.feature = Some(index + 1);
+                positions.count = 0;
+                feature
+                    .geometry
+                    .iter()
+                    .try_for_each(|g| positions.collect(g))?;
             }
         }
-        GeometryValue::GeometryCollection { geometries } => {
-            for geometry in geometries {
-                collect(geometry, points)?;
-            }
-        }
-        other => return Err(Problem::Geometry(other.type_name().to_owned())),
     }
-    Ok(())
+    let Positions {
+        points,
+        has_heights,
+        ..
+    } = positions;
+    Ok(PointList::with_heights(points, has_heights))
 }
 
-fn place(position: &Position, of: &str) -> Result<DVec2, Problem> {
-    let [x, y] = *position.as_slice() else {
-        return Err(Problem::Coordinates(of.to_owned()));
-    };
-    let value = |value: f64| in_range(value, || value.to_string());
-    Ok(DVec2::new(value(x)?, value(y)?))
+#[derive(Default)]
+struct Positions {
+    points: Vec<DVec2>,
+    has_heights: bool,
+    /// The number of the feature that is being read, in a collection.
+    feature: Option<usize>,
+    /// The number of positions of this feature so far.
+    count: usize,
+}
+
+impl Positions {
+    fn collect(&mut self, geometry: &Geometry) -> Result<(), Flaw> {
+        match &geometry.value {
+            GeometryValue::Point { coordinates } => self.take(coordinates, "Point"),
+            GeometryValue::MultiPoint { coordinates } => {
+                let mut positions = coordinates.iter();
+                positions.try_for_each(|position| self.take(position, "MultiPoint"))
+            }
+            GeometryValue::GeometryCollection { geometries } => {
+                geometries.iter().try_for_each(|g| self.collect(g))
+            }
+            other => {
+                let problem = Problem::Geometry(other.type_name().to_owned());
+                Err(match self.feature {
+                    Some(feature) => problem.at(Place::Feature(feature)),
+                    None => problem.into(),
+                })
+            }
+        }
+    }
+
+    fn take(&mut self, position: &Position, of: &str) -> Result<(), Flaw> {
+        self.count += 1;
+        let place = Place::Position(self.feature, self.count);
+        let [x, y, heights @ ..] = position.as_slice() else {
+            return Err(Problem::Coordinates(of.to_owned()).at(place));
+        };
+        let value = |value: f64| in_double_range(value).map_err(|problem| problem.at(place));
+        self.points.push(DVec2::new(value(*x)?, value(*y)?));
+        self.has_heights |= !heights.is_empty();
+        Ok(())
+    }
 }

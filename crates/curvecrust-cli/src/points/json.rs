@@ -1,25 +1,38 @@
-//! JSON: an array of `[x, y]`, or an object with such an array as `points` or `samples`, such as the
-//! program prints. An object with a `type` is GeoJSON.
+//! JSON: an array of `[x, y]`, or an object with such an array as `points` or `samples`, such as
+//! the program prints. An object with a `type` is GeoJSON. Where every point is `[x, y, z]`, z is
+//! left out.
 
-use super::{Flaw, Place, Problem, geojson, in_range};
+use super::json_text::parse;
+use super::{Flaw, PointList, Problem, geojson, in_double_range};
 use curvecrust::DVec2;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
 use std::fmt;
 
-/// What is looked at in an object.
+/// The keys of an object that are read.
 #[derive(Deserialize)]
 struct Object {
     r#type: Option<IgnoredAny>,
-    points: Option<Vec<Pair>>,
-    samples: Option<Vec<Pair>>,
+    points: Option<Points>,
+    samples: Option<Points>,
 }
 
-/// A point, written as `[x, y]`.
-pub(super) struct Pair(pub(super) DVec2);
+/// An array of points.
+#[derive(Default)]
+struct Points {
+    points: Vec<DVec2>,
+    /// How many numbers each has; `None` before the first.
+    dimension: Option<Dimension>,
+}
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
-    let pairs: Vec<Pair> = if bytes.trim_ascii_start().starts_with(b"[") {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dimension {
+    Two,
+    Three,
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
+    let found: Points = if bytes.trim_ascii_start().starts_with(b"[") {
         parse(bytes)?
     } else {
         let object: Object = parse(bytes)?;
@@ -30,46 +43,71 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
             (None, Some(_), Some(_)) => return Err(Problem::TwoArrays.into()),
         }
     };
-    Ok(pairs.into_iter().map(|pair| pair.0).collect())
+    let has_heights = found.dimension == Some(Dimension::Three);
+    Ok(PointList::with_heights(found.points, has_heights))
 }
 
-/// Parses JSON; errors know their place.
-pub(super) fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Flaw> {
-    serde_json::from_slice(bytes).map_err(|error| {
-        let (line, column) = (error.line(), error.column());
-        let message = error.to_string();
-        let suffix = format!(" at line {line} column {column}");
-        let message = message.strip_suffix(&suffix).unwrap_or(&message);
-        Problem::Json(message.to_owned()).at(Place::Column(line as u64, column))
-    })
-}
-
-impl<'de> Deserialize<'de> for Pair {
+impl<'de> Deserialize<'de> for Points {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(PairVisitor)
+        deserializer.deserialize_seq(PointsVisitor)
     }
 }
 
-struct PairVisitor;
+struct PointsVisitor;
 
-impl<'de> Visitor<'de> for PairVisitor {
-    type Value = Pair;
+impl<'de> Visitor<'de> for PointsVisitor {
+    type Value = Points;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an array of points [x, y]")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Points, A::Error> {
+        let mut found = Points::default();
+        while let Some(point) = seq.next_element_seed(Point(&mut found.dimension))? {
+            found.points.push(point);
+        }
+        Ok(found)
+    }
+}
+
+/// One point, which has as many numbers as those before it.
+struct Point<'a>(&'a mut Option<Dimension>);
+
+impl<'de> DeserializeSeed<'de> for Point<'_> {
+    type Value = DVec2;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<DVec2, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Point<'_> {
+    type Value = DVec2;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a point [x, y]")
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Pair, A::Error> {
-        let mut next = || -> Result<f64, A::Error> {
-            let value: Option<f64> = seq.next_element()?;
-            let value =
-                value.ok_or_else(|| A::Error::custom("a point is [x, y], but here is less"))?;
-            in_range(value, || value.to_string()).map_err(A::Error::custom)
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<DVec2, A::Error> {
+        let less = || A::Error::custom("a point is [x, y], but here is less");
+        let more = || A::Error::custom("a point is [x, y], but here is more");
+        let mut next = || seq.next_element::<f64>();
+        let [x, y] = [next()?.ok_or_else(less)?, next()?.ok_or_else(less)?];
+        let value = |value| in_double_range(value).map_err(A::Error::custom);
+        let point = DVec2::new(value(x)?, value(y)?);
+        let dimension = match next()? {
+            None => Dimension::Two,
+            Some(_) => Dimension::Three,
         };
-        let point = DVec2::new(next()?, next()?);
+        match (*self.0.get_or_insert(dimension), dimension) {
+            (Dimension::Three, Dimension::Two) => return Err(less()),
+            (Dimension::Two, Dimension::Three) => return Err(more()),
+            _ => {}
+        }
         match seq.next_element::<IgnoredAny>()? {
-            None => Ok(Pair(point)),
-            Some(_) => Err(A::Error::custom("a point is [x, y], but here is more")),
+            Some(_) => Err(more()),
+            None => Ok(point),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! SVG: the centres of all circles and ellipses; without any, the vertices of paths, polygons,
 //! polylines and lines, without their handles. Coordinates are those inside the root element.
 
-use super::flaw::shown;
-use super::{Flaw, Place, Problem, in_range};
+use super::{Flaw, Place, PointList, Problem, in_double_range, quoted};
 use curvecrust::DVec2;
-use curvecrust::curve::svg::{MAX_EXPANSION, expansion};
+use curvecrust::curve::svg::check_bounds;
+use curvecrust::curve::svg::value::{self, DAffine2, Length, ValueError};
 use roxmltree::{Document, Node, ParsingOptions};
-use std::str::FromStr;
-use svgtypes::{Length, LengthUnit, PathParser, PathSegment, PointsParser, Transform};
+use svgtypes::{PathParser, PathSegment};
 
 /// Elements whose content is not drawn where it stands, and what is no shape.
 const NOT_DRAWN: &[&str] = &[
@@ -17,11 +16,9 @@ const NOT_DRAWN: &[&str] = &[
 /// Levels of elements inside the root.
 const DEEPEST: usize = 128;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
+pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotSvg)?;
-    if expansion(text) > MAX_EXPANSION {
-        return Err(Problem::Entities(MAX_EXPANSION).into());
-    }
+    check_bounds(text).map_err(|error| Problem::Markup(error.to_string()))?;
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()
@@ -36,16 +33,17 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<DVec2>, Flaw> {
     }
     let mut drawing = Drawing::default();
     for child in root.children() {
-        drawing.collect(child, Transform::default(), DEEPEST)?;
+        drawing.collect(child, DAffine2::IDENTITY, DEEPEST)?;
     }
     if drawing.centres.is_empty() && drawing.vertices.is_empty() {
         return Err(Problem::NoShapes.into());
     }
-    Ok(if drawing.centres.is_empty() {
+    let points = if drawing.centres.is_empty() {
         drawing.vertices
     } else {
         drawing.centres
-    })
+    };
+    Ok(points.into())
 }
 
 #[derive(Default)]
@@ -56,21 +54,24 @@ struct Drawing {
 
 impl Drawing {
     /// Takes what an element draws that holds at most `levels` of others in each other.
-    fn collect(&mut self, node: Node<'_, '_>, outer: Transform, levels: usize) -> Result<(), Flaw> {
+    fn collect(&mut self, node: Node<'_, '_>, outer: DAffine2, levels: usize) -> Result<(), Flaw> {
         let name = node.tag_name().name();
         if !node.is_element() || NOT_DRAWN.contains(&name) || is_hidden(node) {
             return Ok(());
         }
-        let inner: Transform = attribute(node, "transform")?.unwrap_or_default();
-        let to_root = compose(outer, inner);
+        let inner = attribute(node, "transform", value::transform)?;
+        let to_root = outer * inner.unwrap_or_default();
         let place = |p: DVec2| {
-            let p = apply(to_root, p);
-            let value = |v: f64| in_range(v, || v.to_string()).map_err(|e| e.at(place_of(node)));
+            let p = to_root.transform_point2(p);
+            let value = |v: f64| in_double_range(v).map_err(|e| e.at(place_of(node)));
             Ok::<_, Flaw>(DVec2::new(value(p.x)?, value(p.y)?))
         };
         match name {
             "circle" | "ellipse" => {
                 let centre = DVec2::new(length(node, "cx")?, length(node, "cy")?);
+                for name in ["r", "rx", "ry"] {
+                    attribute(node, name, extent)?;
+                }
                 self.centres.push(place(centre)?);
             }
             "line" => {
@@ -79,9 +80,9 @@ impl Drawing {
                 self.vertices.extend([place(start)?, place(end)?]);
             }
             "polyline" | "polygon" => {
-                let points = PointsParser::from(node.attribute("points").unwrap_or_default());
-                for (x, y) in points {
-                    self.vertices.push(place(DVec2::new(x, y))?);
+                let points = attribute(node, "points", value::points)?;
+                for p in points.unwrap_or_default() {
+                    self.vertices.push(place(p)?);
                 }
             }
             "path" => {
@@ -154,26 +155,41 @@ fn is_hidden(node: Node<'_, '_>) -> bool {
 
 /// A length in user units; 0 if it is not given.
 fn length(node: Node<'_, '_>, name: &str) -> Result<f64, Flaw> {
-    let length: Length = attribute(node, name)?.unwrap_or_default();
-    let factor = match length.unit {
-        LengthUnit::None | LengthUnit::Px => 1.0,
-        LengthUnit::In => 96.0,
-        LengthUnit::Cm => 96.0 / 2.54,
-        LengthUnit::Mm => 96.0 / 25.4,
-        LengthUnit::Pt => 4.0 / 3.0,
-        LengthUnit::Pc => 16.0,
-        LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => return Err(malformed(node, name)),
-    };
-    Ok(length.number * factor)
+    match attribute(node, name, value::length)? {
+        None => Ok(0.0),
+        Some(Length::Absolute(length)) => Ok(length),
+        // The size of the page or of the font is not known here.
+        Some(Length::Percent(_) | Length::OfFont(_)) => Err(malformed(node, name)),
+    }
 }
 
-fn attribute<T: FromStr>(node: Node<'_, '_>, name: &str) -> Result<Option<T>, Flaw> {
-    let parse = |text: &str| text.trim().parse().map_err(|_| malformed(node, name));
-    node.attribute(name).map(parse).transpose()
+/// A length that is not negative; only whether it is one matters.
+fn extent(value: &str) -> Result<(), ValueError> {
+    match value {
+        "auto" => Ok(()),
+        _ if value::length(value)?.sign() < 0.0 => Err(ValueError::Length),
+        _ => Ok(()),
+    }
+}
+
+/// The value of an attribute, if it is there.
+fn attribute<T>(
+    node: Node<'_, '_>,
+    name: &str,
+    read: impl Fn(&str) -> Result<T, ValueError>,
+) -> Result<Option<T>, Flaw> {
+    let value = node.attribute(name).map(read).transpose();
+    value.map_err(|error| match error {
+        ValueError::Length => malformed(node, name),
+        _ => {
+            let (name, message) = (name.to_owned(), error.to_string());
+            Problem::Value { name, message }.at(place_of(node))
+        }
+    })
 }
 
 fn malformed(node: Node<'_, '_>, name: &str) -> Flaw {
-    let found = shown(node.attribute(name).unwrap_or_default().as_bytes());
+    let found = quoted(node.attribute(name).unwrap_or_default().as_bytes());
     let name = name.to_owned();
     Problem::Attribute { name, found }.at(place_of(node))
 }
@@ -181,16 +197,4 @@ fn malformed(node: Node<'_, '_>, name: &str) -> Flaw {
 fn place_of(node: Node<'_, '_>) -> Place {
     let at = node.document().text_pos_at(node.range().start);
     Place::Column(at.row.into(), at.col as usize)
-}
-
-fn apply(t: Transform, p: DVec2) -> DVec2 {
-    DVec2::new(t.a * p.x + t.c * p.y + t.e, t.b * p.x + t.d * p.y + t.f)
-}
-
-/// First `inner`, then `outer`.
-fn compose(outer: Transform, inner: Transform) -> Transform {
-    let linear = |x, y| apply(outer, DVec2::new(x, y)) - DVec2::new(outer.e, outer.f);
-    let (x, y) = (linear(inner.a, inner.b), linear(inner.c, inner.d));
-    let origin = apply(outer, DVec2::new(inner.e, inner.f));
-    Transform::new(x.x, x.y, y.x, y.y, origin.x, origin.y)
 }

@@ -41,17 +41,70 @@ fn lines_that_are_no_points() {
         "p.csv, line 3: the line has 3 columns, the first has 2"
     );
     assert_eq!(
-        error("p.csv", "1,2,3\n"),
-        "p.csv, line 1: 3 columns without names: head those of the coordinates x and y"
+        error("p.csv", "1,2,3,4\n"),
+        "p.csv, line 1: 4 columns without names: head those of the coordinates x and y"
     );
     assert_eq!(
-        error("p.csv", "lon,lat\n1,2\n"),
-        "p.csv, line 1: no column is named x: there are `lon`, `lat`"
+        error("p.csv", "a,b\n1,2\n"),
+        "p.csv, line 1: no columns are named x and y: there are `a`, `b`; \
+         pass --x and --y with two of them"
     );
     assert_eq!(
         error("p.csv", "x,y,X\n1,2,3\n"),
-        "p.csv, line 1: two columns are named x"
+        "p.csv, line 1: `x`, `X` could both be meant: pass --x and --y with the names of two columns"
     );
+    assert_eq!(
+        error("p.xy", "1 2 3\n4 5\n"),
+        "p.xy, line 2: the line has 2 columns, the first has 3"
+    );
+}
+
+#[test]
+fn lines_are_counted_as_editors_do() {
+    for (content, line) in [
+        ("x,y\r\n1,2\r\nfoo,3\r\n", 3),
+        ("x,y\n# one\n\n# two\nfoo,3\n", 5),
+        ("# one\r\n\r\nx,y\r\n\r\nfoo,3", 5),
+        ("name,x,y\n\"two\nlines\",1,2\na,foo,3\n", 4),
+    ] {
+        let found = error("p.csv", content);
+        assert!(
+            found.starts_with(&format!("p.csv, line {line}, field ")),
+            "{found}"
+        );
+    }
+    assert_eq!(
+        error("p.csv", "x,y\r\n\r\n1\r\n"),
+        "p.csv, line 3: a point is x and y, but here is only `1`"
+    );
+}
+
+/// The first 4,096 bytes hold nothing but a comment.
+#[test]
+fn long_comments_hide_nothing() {
+    let comment = format!("# {}\n", "a, b; ".repeat(1000));
+    for (name, content) in [
+        ("p.tsv", "x\ty\n1\t2\n"),
+        ("nameless", "1;2\n"),
+        ("nameless", "1 2\n"),
+        ("nameless", "[[1, 2]]"),
+    ] {
+        let folder = Folder::with(name, comment.clone() + content);
+        let run = folder.run(&format!("reconstruct {name}"));
+        if content.starts_with('[') {
+            // JSON has no comments: it is known, and refused as what it is.
+            let error = run.error();
+            assert!(
+                error.starts_with("error: nameless, line 1, column 1: "),
+                "{error}"
+            );
+        } else {
+            assert!(run.fine().ends_with(",0,1,2\n"));
+        }
+    }
+    let named = "\"a; b\",x,y\n1,2,3\n";
+    let folder = Folder::with("p.csv", named);
+    assert!(folder.run("reconstruct p.csv").fine().ends_with(",0,2,3\n"));
 }
 
 #[test]
@@ -153,12 +206,22 @@ fn geojson_that_holds_no_points() {
     let feature = format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {line}}}"#);
     assert_eq!(error("p.geojson", feature), says);
     assert_eq!(
-        error(
-            "p.geojson",
-            r#"{"type": "Point", "coordinates": [1, 2, 3]}"#
-        ),
-        "p.geojson: the coordinates of a Point have to be positions [x, y]"
+        error("p.geojson", r#"{"type": "Point", "coordinates": [1]}"#),
+        "p.geojson: A position must contain two or more elements, but got `1`"
     );
+    let far = |x| format!(r#"{{"type": "MultiPoint", "coordinates": [[1, 2], [{x}, 0]]}}"#);
+    let feature =
+        |g: &str| format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {g}}}"#);
+    let features = [feature(&far("3")), feature(&far("1e300"))].join(",");
+    let collection = format!(r#"{{"type": "FeatureCollection", "features": [{features}]}}"#);
+    for (content, place) in [
+        (far("1e300"), "position 2"),
+        (collection, "feature 2, position 2"),
+    ] {
+        let found = error("p.geojson", content);
+        let says = format!("p.geojson, {place}: `1e300` is out of range");
+        assert!(found.starts_with(&says), "{found}");
+    }
     assert_eq!(
         error(
             "p.geojson",
@@ -203,8 +266,8 @@ fn numpy_arrays_that_hold_no_points() {
             "the shape is (4,): points have the shape (n, 2)",
         ),
         (
-            npy("'<f8'", "(2, 3)", &ones),
-            "the shape is (2, 3): points have the shape (n, 2)",
+            npy("'<f8'", "(1, 4)", &ones),
+            "the shape is (1, 4): points have the shape (n, 2)",
         ),
         (
             npy("'<i8'", "(2, 2)", &ones),
@@ -230,7 +293,36 @@ fn numpy_arrays_that_hold_no_points() {
         .collect();
     assert_eq!(
         error("p.npy", npy("'<f8'", "(1, 2)", &nan)),
-        "p.npy, line 1, field 2: `NaN` is not a finite number"
+        "p.npy, row 1, column 2: `NaN` is not a finite number"
+    );
+    let far: Vec<u8> = [1e-300f64, 2.0]
+        .iter()
+        .flat_map(|v| v.to_le_bytes())
+        .collect();
+    let found = error("p.npy", npy("'<f8'", "(1, 2)", &far));
+    assert!(
+        found.starts_with("p.npy, row 1, column 1: `1e-300` is out of range"),
+        "{found}"
+    );
+    let maybe = b"{'descr': '<f8', 'fortran_order': Maybe, 'shape': (0, 2), }";
+    let maybe = [
+        &b"\x93NUMPY\x01\x00"[..],
+        &[u8::try_from(maybe.len()).unwrap(), 0],
+        maybe,
+    ]
+    .concat();
+    assert_eq!(
+        error("p.npy", maybe),
+        "p.npy: `fortran_order` is `Maybe`: it has to be True or False"
+    );
+    // Cut off at 64 KiB, the header would still have all its keys.
+    let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (0, 2), }".to_owned();
+    let header = header + &" ".repeat(1 << 16);
+    let length = u32::try_from(header.len()).unwrap().to_le_bytes();
+    let long = [&b"\x93NUMPY\x02\x00"[..], &length, header.as_bytes()].concat();
+    assert_eq!(
+        error("p.npy", long),
+        "p.npy: the header of the array is more than 65536 bytes long"
     );
 }
 
@@ -253,6 +345,30 @@ fn drawings_that_hold_no_points() {
         (
             svg("<circle cx='50%' cy='2'/>"),
             ", line 2, column 1: cx is `50%`, which cannot be read",
+        ),
+        (
+            svg("<polyline points='0,0 1,1 2,foo 3,3'/>"),
+            ", line 2, column 1: points is no list of numbers: invalid number at position 11",
+        ),
+        (
+            svg("<polyline points='0,0 1'/>"),
+            ", line 2, column 1: points has an odd number of coordinates: give pairs",
+        ),
+        (
+            svg("<polyline points='0,0 1,NaN'/>"),
+            ", line 2, column 1: points is no list of numbers: ",
+        ),
+        (
+            svg("<polyline points='0,0 1,1e400'/>"),
+            ", line 2, column 1: points is no list of numbers: ",
+        ),
+        (
+            svg("<circle r='NaN'/>"),
+            ", line 2, column 1: r is `NaN`, which cannot be read",
+        ),
+        (
+            svg("<g transform='scale(1'><circle r='1'/></g>"),
+            ", line 2, column 1: transform is no list of transforms: ",
         ),
         (svg("<circle cx='1e300' cy='2'/>"), ", line 2, column 1: `"),
         (String::from("<html/>"), ": this is no SVG document"),
@@ -325,6 +441,45 @@ fn what_steers_a_terminal_is_not_printed() {
     let message = error("p.svg", "<svg\u{1b}[2J/>");
     assert!(message.contains("\\u{1b}"), "{message}");
     assert!(!message.chars().any(char::is_control), "{message}");
+}
+
+#[test]
+fn messages_are_one_short_line() {
+    let names: Vec<String> = (0..100_000).map(|i| format!("name{i}")).collect();
+    assert_eq!(
+        error("p.csv", names.join(",")),
+        "p.csv, line 1: no columns are named x and y: there are `name0`, `name1`, `name2`, `name3`, \
+         `name4`, `name5`, `name6`, `name7` and 99992 more; pass --x and --y with two of them"
+    );
+    let zeros = error("p.json", "[[1e300, 0]]");
+    assert!(
+        zeros.starts_with("p.json, line 1, column 11: `1e300` is out of range"),
+        "{zeros}"
+    );
+    let equal = error("p.csv", "1e60,1e-40\n1e60,1e-40\n");
+    assert!(equal.contains("are both (1e60, 1e-40)"), "{equal}");
+    let long = error("p.svg", format!("<{}/>", "a".repeat(1 << 20)));
+    assert!(long.len() < 20_000, "{}", long.len());
+    let folder = Folder::new();
+    assert_eq!(
+        folder.run_args(&["reconstruct", "two\nlines.csv"]).error(),
+        "error: two\\nlines.csv: No such file or directory (os error 2)"
+    );
+}
+
+/// Each for a reader of XML that takes time quadratic in their number.
+#[test]
+fn crowded_documents_are_refused() {
+    let attributes: String = (0..40_000).map(|i| format!(" a{i}=''")).collect();
+    assert_eq!(
+        error("p.svg", format!("<svg>\n<circle r='1'{attributes}/></svg>")),
+        "p.svg: an element in line 2 has more than 1000 attributes: simplify it"
+    );
+    let entities: String = (0..10_000).map(|i| format!("<!ENTITY e{i} '1'>")).collect();
+    assert_eq!(
+        error("p.svg", format!("<!DOCTYPE svg [{entities}]><svg/>")),
+        "p.svg: it declares more than 1000 entities: write out what they stand for"
+    );
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn points_are_read_from_every_format() {
         "p.svg",
     ] {
         assert_eq!(read(&folder, name), POINTS, "{name}");
-        // Without its name, the content tells.
+        // Without a known ending, by its content.
         let content = std::fs::read(folder.path().join(name)).unwrap();
         folder.write("nameless", &content);
         assert_eq!(read(&folder, "nameless"), POINTS, "{name}");

@@ -69,7 +69,14 @@ impl Folder {
             .into()
     }
 
-    /// The same, with something on stdin.
+    /// Runs the program with arguments that may hold anything.
+    pub(crate) fn run_args(&self, args: &[&str]) -> Run {
+        let mut command = self.command("");
+        let command = command.args(args).stdin(Stdio::null());
+        command.output().unwrap().into()
+    }
+
+    /// Runs the program with the words of a line, and something on stdin.
     pub(crate) fn pipe(&self, line: &str, stdin: impl AsRef<[u8]>) -> Run {
         let mut command = self.command(line);
         command

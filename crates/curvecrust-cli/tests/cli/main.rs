@@ -9,11 +9,13 @@
 mod bad_input;
 mod curves;
 mod docs;
+mod files;
 mod formats;
 mod harness;
 #[cfg(target_os = "linux")]
 mod memory;
+mod processes;
 mod python;
 mod reconstruct;
 mod sample;
-mod whole_files;
+mod tables;

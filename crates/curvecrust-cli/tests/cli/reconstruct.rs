@@ -94,7 +94,7 @@ fn one_point_is_isolated() {
 }
 
 #[test]
-fn the_content_tells_the_format_where_no_name_does() {
+fn without_a_known_ending_the_format_is_found_by_the_content() {
     let folder = Folder::new();
     let tables = [
         "0 0\n1 0\n",

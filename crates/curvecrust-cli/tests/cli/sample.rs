@@ -149,7 +149,7 @@ fn too_many_samples_are_counted() {
 }
 
 #[test]
-fn where_there_is_no_local_feature_size_is_said() {
+fn places_without_a_local_feature_size_are_named() {
     let two = |x: f64| {
         let other = format!("<circle cx='{x}' cy='2' r='1'/></svg>");
         CIRCLE.replace("</svg>", &other)

@@ -12,8 +12,8 @@ use std::collections::HashMap;
 /// ```
 /// use curvecrust_curve::svg::expansion;
 ///
-/// let document = "<!DOCTYPE svg [<!ENTITY d 'M 0 0 H 1'>]><svg><path d='&d;'/><path d='&d;'/></svg>";
-/// assert_eq!(expansion(document), 18);
+/// let document = "<!DOCTYPE svg [<!ENTITY d 'M 0 0 H 1'>]><svg><path d='&d;'/><path
+/// d='&d;'/></svg>"; assert_eq!(expansion(document), 18);
 /// assert_eq!(expansion("<svg>&lt;&#65;</svg>"), 0);
 /// ```
 #[must_use]

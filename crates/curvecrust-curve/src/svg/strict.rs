@@ -4,10 +4,11 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use svgtypes::{AspectRatio, Length, LengthUnit, NumberListParser, ViewBox};
+use svgtypes::{AspectRatio, ViewBox};
 use usvg::roxmltree::{Attribute, Document, Node, NodeId};
 
 use super::SVG;
+use super::value::{self, Length};
 use crate::bezier_path::BezierPath;
 use crate::error::CurveError;
 use crate::path_data;
@@ -223,18 +224,19 @@ impl<'a, 'input> Walk<'a, 'input, '_> {
         if is_extent && value == "auto" {
             return Ok(());
         }
-        let length = value.parse::<Length>().ok().filter(|l| is_single(l.number));
-        let Some(Length { number, unit }) = length else {
+        let length = value::length(value).ok();
+        let Some(length) = length.filter(|length| is_single(length.sign())) else {
             return Err("is not a length: give a number below 1e38".to_owned());
         };
         let is_root = node.parent_element().is_none();
-        if unit == LengthUnit::Percent && !self.sized && !is_root {
+        if matches!(length, Length::Percent(_)) && !self.sized && !is_root {
             let message = "is a part of a size that the root does not have: give it a viewBox";
             return Err(message.to_owned());
         }
         // Corners of a radius 0 are sharp, all else without an extent is not drawn.
         let may_vanish = matches!(name, "rx" | "ry") && !node.has_tag_name((SVG, "ellipse"));
-        if is_extent && number <= 0.0 && !(may_vanish && number == 0.0) {
+        let sign = length.sign();
+        if is_extent && sign <= 0.0 && !(may_vanish && sign == 0.0) {
             return Err("must be positive: correct it, or remove the element".to_owned());
         }
         Ok(())
@@ -263,14 +265,9 @@ fn check_size(node: Node<'_, '_>) -> Result<(), CurveError> {
 }
 
 fn check_transform(value: &str) -> Result<(), String> {
-    if value.trim() == "none" {
-        return Ok(());
-    }
-    let t = value
-        .parse::<svgtypes::Transform>()
-        .map_err(|error| format!("is no list of transforms: {error}"))?;
+    let transform = value::transform(value).map_err(|error| error.to_string())?;
     #[expect(clippy::cast_possible_truncation, reason = "as usvg does")]
-    let [a, b, c, d, e, f] = [t.a, t.b, t.c, t.d, t.e, t.f].map(|v| v as f32);
+    let [a, b, c, d, e, f] = transform.to_cols_array().map(|v| v as f32);
     match usvg::Transform::from_row(a, b, c, d, e, f).is_valid() {
         true => Ok(()),
         false => Err("scales to nothing, or beyond 1e38: correct it".to_owned()),
@@ -278,17 +275,11 @@ fn check_transform(value: &str) -> Result<(), String> {
 }
 
 fn check_points(value: &str) -> Result<(), String> {
-    let mut count = 0;
-    for number in NumberListParser::from(value) {
-        let number = number.map_err(|error| format!("is no list of numbers: {error}"))?;
-        if !is_single(number) {
-            return Err(format!("has the number {number:e}: keep below 1e38"));
-        }
-        count += 1;
-    }
-    match count % 2 {
-        0 => Ok(()),
-        _ => Err("has an odd number of coordinates: give pairs".to_owned()),
+    let points = value::points(value).map_err(|error| error.to_string())?;
+    let mut numbers = points.iter().flat_map(|p| p.to_array());
+    match numbers.find(|&number| !is_single(number)) {
+        None => Ok(()),
+        Some(number) => Err(format!("has the number {number:e}: keep below 1e38")),
     }
 }
 

@@ -11,10 +11,11 @@ pub(super) struct Ring {
     pub(super) hole: Option<usize>,
 }
 
-/// Every ring once, polygon by polygon in the order of their outsides, each outside before its holes.
+/// Every ring once, polygon by polygon in the order of their outsides, each outside before its
+/// holes.
 ///
-/// Rings at odd nesting are holes of the ring right around them. A hole around which there is none, as
-/// may be where rings cross, is the outside of a polygon of its own.
+/// Rings at odd nesting are holes of the ring right around them. A hole around which there is none,
+/// as may be where rings cross, is the outside of a polygon of its own.
 pub(super) fn rings(curves: &Reconstruction) -> Vec<Ring> {
     let ring = |(index, chain): (usize, &NestedChain)| {
         let is_odd = chain.nesting? % 2 == 1;

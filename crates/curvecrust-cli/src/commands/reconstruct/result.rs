@@ -25,7 +25,7 @@ struct Rows<'a> {
     ids: Cow<'a, [PointId]>,
 }
 
-/// What GeoJSON tells about a shape, beside its places.
+/// The properties of a shape in GeoJSON.
 #[derive(serde::Serialize)]
 pub(super) struct Properties<'a> {
     kind: &'static str,
@@ -54,8 +54,8 @@ struct Duplicate {
     same_as: u32,
 }
 
-/// The object that `--json` prints; its schema is stable, and in `docs/formats.md`. Points are known by
-/// their position in `points`.
+/// The object that `--json` prints; its schema is stable, and in `docs/formats.md`. Points are
+/// known by their position in `points`.
 impl Serialize for Found<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let edges = || {

@@ -1,4 +1,4 @@
-//! What people want to know first about a reconstruction, without ordering its edges.
+//! A summary of a reconstruction in one line, for which its edges need no order.
 
 use super::BarePoints;
 use curvecrust::geometry::{EdgeSet, PointId};
@@ -15,7 +15,7 @@ pub(super) struct Summary {
     leaves: usize,
     isolated: usize,
     junctions: usize,
-    /// Leaves that were said to be ends.
+    /// Leaves that the user named as ends.
     termini: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Files are written whole or not at all, and never over others unasked.
+//! Files are written completely or not at all, and never over others unasked.
 
 use crate::harness::{Folder, Run};
 use std::io::Read;
@@ -45,6 +45,76 @@ fn a_file_has_the_permissions_of_a_new_one() {
     assert!(folder.path().join("link.csv").is_symlink());
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_is_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::with("p.xy", POINTS);
+    let link = |to: &str, name: &str| symlink(to, folder.path().join(name)).unwrap();
+    std::fs::create_dir(folder.path().join("sub")).unwrap();
+    link("sub/other.csv", "link.csv");
+    link("link.csv", "twice.csv");
+    link("gone/out.csv", "bad.csv");
+    link("loop.csv", "loop.csv");
+    folder.run("reconstruct p.xy -o twice.csv").fine();
+    assert!(folder.read("sub/other.csv").starts_with("chain,kind"));
+    for name in ["link.csv", "twice.csv"] {
+        assert!(folder.path().join(name).is_symlink());
+    }
+    // Before any work: the points would be an error too.
+    for options in ["", " --force"] {
+        let error = |out: &str| {
+            folder
+                .run(&format!("reconstruct gone.xy -o {out}{options}"))
+                .error()
+        };
+        assert_eq!(
+            error("bad.csv"),
+            "error: cannot write bad.csv: there is no folder gone"
+        );
+        assert_eq!(
+            error("loop.csv"),
+            "error: cannot write loop.csv: its links lead to each other"
+        );
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_of_several_names_is_kept() {
+    let folder = Folder::with("p.xy", POINTS);
+    folder.write("out.csv", "precious");
+    std::fs::hard_link(
+        folder.path().join("out.csv"),
+        folder.path().join("other.csv"),
+    )
+    .unwrap();
+    let error = folder.run("reconstruct p.xy -o out.csv --force").error();
+    assert_eq!(
+        error,
+        "error: cannot write out.csv: it has 2 names (hard links), of which only this one would be \
+         replaced: remove it first"
+    );
+    assert_eq!(folder.read("other.csv"), "precious");
+}
+
+/// By root, who alone may give a file away.
+#[cfg(unix)]
+#[test]
+fn a_file_keeps_its_owner() {
+    use std::os::unix::fs::{MetadataExt, chown};
+    let folder = Folder::with("p.xy", POINTS);
+    folder.write("out.csv", "precious");
+    let path = folder.path().join("out.csv");
+    if chown(&path, Some(12345), Some(54321)).is_err() {
+        eprintln!("skipped: only root can do this");
+        return;
+    }
+    folder.run("reconstruct p.xy -o out.csv --force").fine();
+    let found = path.metadata().unwrap();
+    assert_eq!((found.uid(), found.gid()), (12345, 54321));
+}
+
 #[test]
 fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
     let folder = Folder::with("p.xy", POINTS);
@@ -56,7 +126,7 @@ fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
     );
     assert_eq!(
         error("out.xyz"),
-        "error: the name out.xyz tells no format: give --to csv, json, geojson, wkt, dxf, svg or npy"
+        "error: the name out.xyz has no known ending: give --to csv, json, geojson, wkt, dxf, svg or npy"
     );
     assert_eq!(
         error("out.xy"),
@@ -168,7 +238,18 @@ fn interrupted_it_leaves_no_half_file() {
     folder.write("many.xy", many);
     let mut command = folder.command("reconstruct many.xy -o out.geojson");
     let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
-    while !folder.names().iter().any(|name| name.ends_with(".part")) {
+    let is_written = || {
+        let names = folder.names().into_iter();
+        let mut parts = names.filter(|name| name.ends_with(".part"));
+        parts.any(|name| {
+            folder
+                .path()
+                .join(name)
+                .metadata()
+                .is_ok_and(|found| found.len() > 0)
+        })
+    };
+    while !is_written() {
         assert!(child.try_wait().unwrap().is_none(), "it was too fast");
         std::thread::yield_now();
     }
