@@ -14,7 +14,8 @@ pub(crate) struct Args {
     /// These algorithms, separated by commas, instead of those of each experiment
     #[arg(long, value_delimiter = ',', value_name = "NAMES", value_parser = algorithms::names())]
     algorithms: Vec<String>,
-    /// These experiments, separated by commas, instead of all but `scale`; their results are printed by the values of their sweep
+    /// These experiments, separated by commas, instead of all but `scale`; their results are
+    /// printed by the values of their sweep
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     experiments: Vec<String>,
     /// So many trials a cell, instead of what each experiment says
@@ -35,7 +36,8 @@ pub(crate) struct Args {
     /// Where to write, instead of target/compare
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Put the results into docs/results/compare too, in the place of earlier ones of the same experiments
+    /// Put the results into docs/results/compare too, in the place of earlier ones of the same
+    /// experiments
     #[arg(long, conflicts_with_all = ["quick", "algorithms", "trials", "seed", "resume"])]
     publish: bool,
     /// Measure an algorithm on a number of points with a seed, alone in this process

@@ -1,6 +1,5 @@
 //! `cargo xtask reproduce-paper`: the tables and figures of the paper; see `curvecrust_lab::paper`.
 
-use clap::ValueEnum;
 use curvecrust_lab::paper::measure::{CONVERGED, Points, Run};
 use curvecrust_lab::paper::{self, Options};
 use std::path::PathBuf;
@@ -15,39 +14,24 @@ pub(crate) struct Args {
     /// How long to look for fewer samples that are verified: so often are they shaken
     #[arg(long, value_name = "N", default_value_t = 100)]
     rounds: usize,
-    /// A folder of parallel.svg, teaser.svg, bunny.svg and cat.svg, instead of fixtures/paper, if it was fetched, or
-    /// the redrawn curves
+    /// A folder of parallel.svg, teaser.svg, bunny.svg and cat.svg, instead of fixtures/paper, if
+    /// it was fetched, or the redrawn curves
     #[arg(long, value_name = "DIR")]
     curves: Option<PathBuf>,
-    /// Only this estimator of the local feature size
-    #[arg(long, value_enum)]
-    lfs: Option<Lfs>,
-    /// Only this discretisation
-    #[arg(long, value_enum)]
-    discretisation: Option<Discretisation>,
+    /// Only this estimator of the local feature size: the Voronoi medial axis in double precision,
+    /// or that of the paper's authors on points in single precision
+    #[arg(long, value_parser = ["voronoi", "shrinking-ball"])]
+    lfs: Option<String>,
+    /// Only this discretisation: 300 points on every cubic segment, as in the authors' program, or
+    /// as many as the local feature size asks for
+    #[arg(long, value_parser = ["300", "adaptive"])]
+    discretisation: Option<String>,
     /// Draw Figures 1, 3, 4, 8, 9, 10 and 11, and a page with them and the tables, report.html
     #[arg(long)]
     figures: bool,
     /// Print the JSON to stdout, instead of the tables
     #[arg(long)]
     json: bool,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Lfs {
-    /// The Voronoi medial axis, in double precision
-    Voronoi,
-    /// The estimator of the paper's authors, on points in single precision
-    ShrinkingBall,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Discretisation {
-    /// 300 points on every cubic segment, as in the paper
-    #[value(name = "300")]
-    Paper,
-    /// As many points as the local feature size asks for
-    Adaptive,
 }
 
 /// Prints the tables and writes them under target/paper.
@@ -80,31 +64,18 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!failures.is_empty())))
 }
 
-/// The settings to run: those of the paper and of its converged values, or what was asked for.
+/// The settings to run: those of the authors' program and the converged one, or what was asked for.
 fn runs(args: &Args) -> Vec<Run> {
-    let usual = [
-        (Lfs::ShrinkingBall, Discretisation::Paper),
-        (Lfs::Voronoi, Discretisation::Paper),
-        (Lfs::Voronoi, Discretisation::Adaptive),
-    ];
-    let asked = args.lfs.zip(args.discretisation);
-    let settings: Vec<_> = match asked {
-        Some(pair) => vec![pair],
-        None => usual
-            .into_iter()
-            .filter(|&(lfs, discretisation)| {
-                args.lfs.is_none_or(|only| only == lfs)
-                    && args
-                        .discretisation
-                        .is_none_or(|only| only == discretisation)
-            })
-            .collect(),
+    // The authors' estimator needs no more points than theirs: only who names both gets it.
+    let both = args.lfs.is_some() && args.discretisation.is_some();
+    let is_meant = |run: &Run| {
+        let setting = run.setting();
+        let is = |asked: &Option<String>, own| asked.as_deref().is_none_or(|name| name == own);
+        is(&args.lfs, setting.lfs)
+            && is(&args.discretisation, setting.discretisation)
+            && (both || *run != Run::ShrinkingBall(CONVERGED))
     };
-    let run = |(lfs, discretisation)| match (lfs, discretisation) {
-        (Lfs::Voronoi, Discretisation::Paper) => Run::Voronoi(Points::PerSegment),
-        (Lfs::Voronoi, Discretisation::Adaptive) => Run::Voronoi(CONVERGED),
-        (Lfs::ShrinkingBall, Discretisation::Paper) => Run::ShrinkingBall(Points::PerSegment),
-        (Lfs::ShrinkingBall, Discretisation::Adaptive) => Run::ShrinkingBall(CONVERGED),
-    };
-    settings.into_iter().map(run).collect()
+    let all = [Points::PerSegment, CONVERGED]
+        .map(|points| [Run::ShrinkingBall(points), Run::Voronoi(points)]);
+    all.into_iter().flatten().filter(is_meant).collect()
 }

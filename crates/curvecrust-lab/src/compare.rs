@@ -11,7 +11,7 @@
 //! | [`rows`] | [`Row`]: what one algorithm made of one input |
 //! | [`records`] | rows and means as lines of CSV, and back |
 //! | [`cells`] | [`Cells`]: means over trials |
-//! | [`results`] | [`ExperimentResults`](results::ExperimentResults): what an experiment asks, and its curves against what it sweeps |
+//! | [`results`] | what an experiment asks, and its answers over what it sweeps |
 //! | [`tables`] | Markdown and JSON |
 //! | [`axis`] | [`Axis`](axis::Axis): range, scale and format of a chart's axis |
 //! | [`chart`] | [`Chart`](chart::Chart): lines with bands, as SVG |
@@ -19,7 +19,8 @@
 //! | [`page`] | all of it as one HTML file |
 //! | [`published`] | the run that is committed |
 //!
-//! From the rows on, each step is a pure function of the one before it: the same rows give the same bytes.
+//! From the rows on, each step is a pure function of the one before it: the same rows give the same
+//! bytes.
 
 pub mod algorithms;
 pub mod axis;

@@ -15,7 +15,8 @@ pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     Ok(images.chain(published::made()?).collect())
 }
 
-/// Figures of the paper on our own curves and points, for the README, and those of `docs/method.md`.
+/// Figures of the paper on our own curves and points, for the README, and those of
+/// `docs/method.md`.
 fn images() -> anyhow::Result<Vec<(&'static str, String)>> {
     let models = models::redrawn()?;
     let points = PointSets::redrawn()?;

@@ -1,8 +1,8 @@
 //! Figures: panels in rows, each with a caption, of layers over each other.
 //!
-//! Coordinates are those of the data, y downwards as in SVG; each panel is scaled to fit. Numbers are
-//! written to a hundredth of a pixel, so that the same data give the same bytes everywhere. What a
-//! mark means is said by a legend below the panels, for the layers that occur.
+//! Coordinates are those of the data, y downwards as in SVG; each panel is scaled to fit. Numbers
+//! are written to a hundredth of a pixel, so that the same data give the same bytes everywhere.
+//! What a mark means is said by a legend below the panels, for the layers that occur.
 
 mod layer;
 

@@ -1,4 +1,5 @@
-//! The figures of `docs/method.md`: where least detour goes on after local rules, and where it fails.
+//! The figures of `docs/method.md`: where least detour goes on after local rules, and where it
+//! fails.
 
 use crate::compare::true_curves::{TILES, arc};
 use crate::figure::Figure;

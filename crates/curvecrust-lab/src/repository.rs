@@ -1,5 +1,5 @@
-//! The repository this program was built in: where it is, what programs say there, and files written
-//! whole or not at all.
+//! The repository this program was built in: where it is, what programs say there, and files
+//! written whole or not at all.
 
 use anyhow::Context;
 use std::fs;
@@ -13,8 +13,8 @@ pub fn root() -> PathBuf {
     lab.ancestors().nth(2).unwrap_or(lab).to_path_buf()
 }
 
-/// What a program prints, run at the root, without white space around; nothing if it cannot be run or
-/// prints nothing.
+/// What a program prints, run at the root, without white space around; nothing if it cannot be run
+/// or prints nothing.
 #[must_use]
 pub fn output_of(program: &str, arguments: &[&str]) -> Option<String> {
     let output = Command::new(program)

@@ -1,5 +1,5 @@
-//! Tables as values: a header, and rows of typed fields. Markdown, CSV and HTML are made of the same
-//! value, and nothing is read back from them.
+//! Tables as values: a header, and rows of typed fields. Markdown, CSV and HTML are made of the
+//! same value, and nothing is read back from them.
 
 use maud::{Markup, PreEscaped, Render, html};
 use std::fmt::{self, Write};

@@ -1,4 +1,5 @@
-//! A cell: one input at one value of the sweep, from which each trial draws points with a known truth.
+//! A cell: one input at one value of the sweep, from which each trial draws points with a known
+//! truth.
 
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
@@ -229,7 +230,8 @@ impl Cell {
     }
 }
 
-/// Samples at nearly equal lengths along a part, each moved by up to half of `jitter` of the spacing.
+/// Samples at nearly equal lengths along a part, each moved by up to half of `jitter` of the
+/// spacing.
 fn along(part: &Part, spacing: f64, jitter: f64, start: Start, random: &mut Random) -> Vec<DVec2> {
     let mut corners = part.points.clone();
     if part.closed {

@@ -166,8 +166,8 @@ impl Chart {
     }
 
     fn draw_line(&self, svg: &mut Document, frame: &Frame, line: &Line, apart: f64) {
-        // Across the line where it is steep too: to the left of one that falls, to the right of one that
-        // rises.
+        // Across the line where it is steep too: to the left of one that falls, to the right of one
+        // that rises.
         let falls = match (line.marks.first(), line.marks.last()) {
             (Some(first), Some(last)) => first.y > last.y,
             _ => false,

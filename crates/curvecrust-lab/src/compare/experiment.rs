@@ -70,8 +70,9 @@ pub(super) enum Over {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub(super) enum Input {
-    /// Curves of `fixtures/curves` or `fixtures/paper`, or random ones, under a sampling condition: each step is a random share,
-    /// between `thinning` and 1, of the longest that the condition allows; the start is random.
+    /// Curves of `fixtures/curves` or `fixtures/paper`, or random ones, under a sampling condition:
+    /// each step is a random share, between `thinning` and 1, of the longest that the condition
+    /// allows; the start is random.
     Curves {
         group: String,
         curves: Choice,
@@ -147,7 +148,8 @@ pub(super) enum Kind {
     /// Closed ones of several components.
     SeveralClosed,
     Open,
-    /// The four of the paper's authors, if they were fetched: `paper-cat` and so on. All are closed.
+    /// The four of the paper's authors, if they were fetched: `paper-cat` and so on. All are
+    /// closed.
     Authors,
 }
 

@@ -1,5 +1,5 @@
-//! Random smooth closed curves: both coordinates are trigonometric polynomials of the parameter, with
-//! normal coefficients that fall with the frequency.
+//! Random smooth closed curves: both coordinates are trigonometric polynomials of the parameter,
+//! with normal coefficients that fall with the frequency.
 //!
 //! Curves that cross themselves, or come so near to it that most samples would be there, are drawn
 //! again. What is used is the chain of cubics through points of the polynomial, with its tangents.
@@ -29,7 +29,8 @@ pub(super) fn curve(terms: u32, seed: u64) -> anyhow::Result<Curve> {
         }
     }
     bail!(
-        "of {DRAWS} random curves with {terms} terms, each comes too near to itself: ask for fewer terms"
+        "of {DRAWS} random curves with {terms} terms, each comes too near to itself: ask for \
+        fewer terms"
     )
 }
 
@@ -64,8 +65,8 @@ impl Polynomial {
         BezierPath::new((0..PIECES).map(piece).collect(), true)
     }
 
-    /// Whether two points are nearer than strands may be, though the way between them along the curve
-    /// is more than a half circle's over that distance.
+    /// Whether two points are nearer than strands may be, though the way between them along the
+    /// curve is more than a half circle's over that distance.
     fn comes_near_itself(&self) -> bool {
         let steps = 4 * PIECES as usize;
         let points: Vec<DVec2> = (0..steps)

@@ -140,7 +140,8 @@ impl Jumps {
         }
     }
 
-    /// Samples from a random start; each step is a random share, at least `thinning`, of the longest.
+    /// Samples from a random start; each step is a random share, at least `thinning`, of the
+    /// longest.
     pub(super) fn sample(&self, thinning: f64, random: &mut Random) -> Vec<DVec2> {
         let n = self.points.len();
         let start = if self.closed { random.below(n) } else { 0 };

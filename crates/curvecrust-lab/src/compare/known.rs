@@ -21,8 +21,8 @@ pub(super) fn differing(experiments: &[Experiment], rows: &[Row]) -> Vec<String>
                 let wrong: Vec<&&Row> = cell.iter().filter(|row| !is_exact(row)).collect();
                 if let Some(first) = wrong.first() {
                     found.push(format!(
-                        "{}: {} is not exact in {} of {} trials of {} at {} (first: trial {}, seed {}); \
-                         expected always: {}",
+                        "{}: {} is not exact in {} of {} trials of {} at {} (first: trial {}, \
+                         seed {}); expected always: {}",
                         experiment.name,
                         known.algorithm,
                         wrong.len(),

@@ -1,4 +1,5 @@
-//! How much memory a computation takes beyond what its process already holds, where the system tells.
+//! How much memory a computation takes beyond what its process already holds, where the system
+//! tells.
 
 use std::fs;
 

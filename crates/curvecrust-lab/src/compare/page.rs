@@ -1,7 +1,7 @@
 //! All of a comparison as one HTML file that needs no other.
 //!
-//! Every chart is there twice, wide and narrow, and the page shows the one that fits; colours follow
-//! the reader's choice of light or dark.
+//! Every chart is there twice, wide and narrow, and the page shows the one that fits; colours
+//! follow the reader's choice of light or dark.
 
 use crate::compare::chart::Width;
 use crate::compare::heat_map::HeatMap;
@@ -22,9 +22,10 @@ pub fn html(
     let body = html! {
         h1 { "Which algorithm for my points, and where does each one break?" } (BREAK)
         p {
-            "Points are sampled from known curves and given to each algorithm as bare points. Bands are \
-             95 % confidence intervals; of times and memory, from the least to the largest. Lines over \
-             shares and distances are drawn a little apart, so that equal ones can be seen."
+            "Points are sampled from known curves and given to each algorithm as bare points. \
+             Bands are 95 % confidence intervals; of times and memory, from the least to the \
+             largest. Lines over shares and distances are drawn a little apart, so that equal \
+             ones can be seen."
         } (BREAK)
         nav { (BREAK)
             @for ExperimentResults { experiment, .. } in results {
@@ -35,7 +36,8 @@ pub fn html(
             figure.scroll { (BREAK)
                 (both(|width| map.to_svg(width, Within::Page)))
                 figcaption {
-                    "The mean over the values of each sweep: where an algorithm breaks is in the charts."
+                    "The mean over the values of each sweep: where an algorithm breaks is in the \
+                    charts."
                 } (BREAK)
             } (BREAK)
         }

@@ -49,7 +49,8 @@ pub struct Timing {
     pub points: usize,
     /// Seconds of the reconstruction alone.
     pub seconds: f64,
-    /// The most memory that the reconstruction held beyond its points, in bytes, if it was measured.
+    /// The most memory that the reconstruction held beyond its points, in bytes, if it was
+    /// measured.
     pub memory: Option<u64>,
 }
 

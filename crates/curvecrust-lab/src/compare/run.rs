@@ -1,8 +1,8 @@
 //! Cells on all threads, written in their order: rows and times of complete cells only.
 //!
-//! Each thread has a pool of one thread of its own, so that an algorithm's run time holds nothing of
-//! another's. The files grow in the order of the plan; after an interruption, what is there is the
-//! start of what one run would have written.
+//! Each thread has a pool of one thread of its own, so that an algorithm's run time holds nothing
+//! of another's. The files grow in the order of the plan; after an interruption, what is there is
+//! the start of what one run would have written.
 
 use super::cell::{Fixtures, Job};
 use super::experiment::Input;

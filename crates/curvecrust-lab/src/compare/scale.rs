@@ -102,8 +102,8 @@ fn in_a_process(
     })
 }
 
-/// What such a process does, as it has to print it: seconds, bytes or `-`, and whether the edges are
-/// exactly the planted ones.
+/// What such a process does, as it has to print it: seconds, bytes or `-`, and whether the edges
+/// are exactly the planted ones.
 ///
 /// # Errors
 /// If `what` does not name an algorithm, a number of points and a seed, separated by commas.
@@ -123,8 +123,8 @@ pub fn measure(what: &str) -> anyhow::Result<String> {
     Ok(format!("{seconds} {memory} {}", edges == boundary))
 }
 
-/// Wavy closed curves in the cells of a grid, and the edges between consecutive points; the points in
-/// random order.
+/// Wavy closed curves in the cells of a grid, and the edges between consecutive points; the points
+/// in random order.
 fn planted(count: usize, seed: u64) -> anyhow::Result<(PointSet, EdgeSet)> {
     let mut random = Random::new(seed);
     let mut order: Vec<usize> = (0..count).collect();

@@ -1,10 +1,10 @@
 //! A reference: the shortest closed tour through all points, as far as local search finds it.
 //!
 //! A curve sampled densely enough is the shortest tour of its samples (Giesen, "Curve
-//! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999), which
-//! also holds at corners and often far beyond what local rules can do; but there is one curve in it,
-//! and that is closed. So it shows how much is to be had for one closed curve, and is no algorithm
-//! for points of which nothing is known.
+//! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999),
+//! which also holds at corners and often far beyond what local rules can do; but there is one curve
+//! in it, and that is closed. So it shows how much is to be had for one closed curve, and is no
+//! algorithm for points of which nothing is known.
 //!
 //! 2-opt (Croes 1958) and Or-opt (Or 1976) on lists of neighbours, and again after each of many
 //! exchanges of short neighbouring paths at random places, undone unless the tour became shorter
@@ -33,8 +33,8 @@ impl Reconstructor for ShortestTour {
     fn info(&self) -> AlgorithmInfo {
         AlgorithmInfo::new(
             "shortest-tour",
-            "a reference of this project, after J. Giesen, Curve Reconstruction, the Traveling Salesman Problem and \
-             Menger's Theorem on Length, SoCG 1999",
+            "a reference of this project, after J. Giesen, Curve Reconstruction, the Traveling \
+             Salesman Problem and Menger's Theorem on Length, SoCG 1999",
             "n^2 and more",
         )
     }
@@ -280,8 +280,8 @@ impl<'a> Tour<'a> {
         None
     }
 
-    /// Takes a path out from between two points and puts it in with its start beside `c` and its end
-    /// beside `e`.
+    /// Takes a path out from between two points and puts it in with its start beside `c` and its
+    /// end beside `e`.
     fn put(&mut self, path: &[usize], [before, after]: [usize; 2], [c, e]: [usize; 2], way: Way) {
         let mut order = Vec::with_capacity(self.order.len());
         let mut p = after;
@@ -301,8 +301,8 @@ impl<'a> Tour<'a> {
         self.set(order);
     }
 
-    /// Exchanges two neighbouring paths at a random place, and says which points have other neighbours
-    /// now.
+    /// Exchanges two neighbouring paths at a random place, and says which points have other
+    /// neighbours now.
     fn kick(&mut self, random: &mut Random) -> Vec<usize> {
         let count = self.order.len();
         let most = LONGEST_KICK.min((count - 1) / 2);

@@ -49,8 +49,8 @@ pub fn overview(results: &[ExperimentResults], algorithms: &[&str]) -> String {
     section.to_markdown(2)
 }
 
-/// What matters most of each experiment, by the values of its sweep: the share of trials with exactly
-/// the true edges, run time and memory.
+/// What matters most of each experiment, by the values of its sweep: the share of trials with
+/// exactly the true edges, run time and memory.
 #[must_use]
 pub fn by_value(results: &[ExperimentResults]) -> String {
     let mut text = String::new();

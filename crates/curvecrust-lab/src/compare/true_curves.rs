@@ -155,9 +155,9 @@ impl TrueCurves {
         Self::polygonal(vec![((0..=1500).map(at).collect(), false)])
     }
 
-    /// Five half circles of radius 3 like tiles of a roof: ends point at the middle of the next row or at
-    /// nothing, not at each other. They are a little more than 2 apart: half of that is the least local
-    /// feature size.
+    /// Five half circles of radius 3 like tiles of a roof: ends point at the middle of the next row
+    /// or at nothing, not at each other. They are a little more than 2 apart: half of that is the
+    /// least local feature size.
     pub(super) fn arcs() -> Self {
         let tile = |(x, y)| {
             let centre = DVec2::new(x, y);

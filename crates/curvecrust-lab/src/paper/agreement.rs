@@ -22,13 +22,16 @@ impl fmt::Display for Disagreement {
     }
 }
 
-/// Of how many counts of Tables 2 and 3 in the paper's own setting at least so many must be equal.
+/// At least so many of the 27 counts of Tables 2 and 3 must be equal in the setting of the authors'
+/// program.
 const EQUAL_OF_27: usize = 20;
 
 impl PaperReport {
-    /// Where the report fails: wrong reconstructions; more samples from the best start than from the first; and on the authors' curves, in the settings
-    /// of 300 points a segment, counts more than 1 from the known ones, or, in the paper's own
-    /// setting, fewer than 20 of all 27 counts equal.
+    /// Where the report fails.
+    ///
+    /// A reconstruction is wrong, or the best start takes more samples than the first. On the
+    /// authors' curves with 300 points a segment, a count is more than 1 from the known one; or, in
+    /// the setting of the authors' program, fewer than 20 of all 27 counts are equal.
     #[must_use]
     pub fn agreement(&self) -> Vec<Disagreement> {
         let mut found = self.wrong_samplings();

@@ -1,5 +1,5 @@
-//! `cargo xtask reproduce-paper --figures`: Figures 1, 3, 4, 8, 9, 10 and 11 of the paper, and a page
-//! with them and the tables.
+//! `cargo xtask reproduce-paper --figures`: Figures 1, 3, 4, 8, 9, 10 and 11 of the paper, and a
+//! page with them and the tables.
 
 mod bare;
 mod covering;

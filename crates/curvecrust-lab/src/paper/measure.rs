@@ -25,13 +25,13 @@ pub enum Run {
 /// How many dense points a curve gets.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Points {
-    /// 300 a segment, as in the paper.
+    /// 300 a segment, as in the authors' program.
     PerSegment,
     /// As many as lfs asks for: gaps at most this fraction of it.
     Adaptive(f64),
 }
 
-/// Points a segment in the paper.
+/// Points a segment in the authors' program.
 const PER_SEGMENT: u32 = 300;
 /// Fine enough that counts have converged: half of it changes none by more than 1 %, or 1.
 pub const CONVERGED: Points = Points::Adaptive(0.005);
@@ -39,7 +39,9 @@ pub const CONVERGED: Points = Points::Adaptive(0.005);
 const LIMITED: &str = "bunny";
 
 impl Run {
-    fn setting(self) -> Setting {
+    /// What rows say of it.
+    #[must_use]
+    pub fn setting(self) -> Setting {
         let (lfs, points) = match self {
             Self::Voronoi(points) => ("voronoi", points),
             Self::ShrinkingBall(points) => ("shrinking-ball", points),

@@ -29,10 +29,11 @@ pub fn page(report: &PaperReport, figures: &[Exhibit]) -> String {
     let body = html! {
         h1 { (title) } (BREAK)
         p {
-            "Figures and tables of the paper by S. Ohrhallinger, S. A. Mitchell and M. Wimmer (SGP 2016), \
-             drawn and measured by " code { "cargo xtask reproduce-paper --figures" } ". Counts in the \
-             captions are those of the tables in the paper's own setting: shrinking-ball lfs, 300 points \
-             a segment."
+            "Figures and tables of the paper by S. Ohrhallinger, S. A. Mitchell and M. Wimmer \
+             (SGP 2016), drawn and measured by \
+             " code { "cargo xtask reproduce-paper --figures" } ". Counts in the captions are \
+             those of the tables in the setting of the authors' program: shrinking-ball lfs, 300 \
+             points a segment."
         } (BREAK)
         main { (BREAK)
             div { (BREAK) @for exhibit in figures { (exhibit) } } (BREAK)

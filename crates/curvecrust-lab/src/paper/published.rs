@@ -1,7 +1,8 @@
 //! The numbers that the paper prints.
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
-//! 2016, Tables 1 to 3. Counts of samples are in the order rho < 0.9, epsilon < 0.47, epsilon < 1/3.
+//! 2016, Tables 1 to 3. Counts of samples are in the order rho < 0.9, epsilon < 0.47, epsilon <
+//! 1/3.
 
 use super::rows::Subject;
 

@@ -26,7 +26,8 @@ pub fn markdown(report: &PaperReport) -> String {
     sections.iter().map(|s| s.to_markdown(2)).collect()
 }
 
-/// The rows as they are: `{"curves", "table1": [...], "table2": [...], "table3": [...], "fewest": [...]}`.
+/// The rows as they are: `{"curves", "table1": [...], "table2": [...], "table3": [...], "fewest":
+/// [...]}`.
 ///
 /// # Errors
 /// If the JSON writer fails, which it does not in memory.
@@ -259,9 +260,10 @@ fn fewest(report: &PaperReport) -> Section {
         ),
         table,
         note: format!(
-            "Greedy and fewest: certified at every point of the curve, from its first point and from \
-             the best of all starts. Verified: after {rounds} rounds of removing and moving samples, \
-             for this sample set only; without a limit the polygon need not look like the curve at all."
+            "Greedy and fewest: certified at every point of the curve, from its first point and \
+             from the best of all starts. Verified: after {rounds} rounds of removing and moving \
+             samples, for this sample set only; without a limit the polygon need not look like \
+             the curve at all."
         ),
     }
 }

@@ -79,9 +79,10 @@ pub(crate) fn figure_3(sets: &PointSets) -> Exhibit {
     let points = &sets.sharp;
     let (theirs, ours) = (crust(points), hnn_crust(points));
     let text = format!(
-        "{} samples{}. Crust needs angles of more than 90° between consecutive edges and breaks where they are sharper; HNN-Crust \
-         succeeds down to 60°. On a closed curve every sample has two edges: rings and squares mark those that have not, {} for \
-         Crust and {} for HNN-Crust.",
+        "{} samples{}. Crust needs angles of more than 90° between consecutive edges and breaks \
+         where they are sharper; HNN-Crust succeeds down to 60°. On a closed curve every sample \
+         has two edges: rings and squares mark those that have not, {} for Crust and {} for \
+         HNN-Crust.",
         points.len(),
         if sets.fetched {
             " of the authors"
@@ -112,9 +113,10 @@ pub(crate) fn figure_4(sets: &PointSets) -> Exhibit {
     let (theirs, ours) = (crust(points), hnn_crust(points));
     let chains = ours.chains();
     let text = format!(
-        "{} samples of four open arcs and three closed curves near each other, drawn for this project. Crust joins an arc with a closed \
-         curve. HNN-Crust keeps only edges that both ends choose, joins nothing that lies apart, and returns {} chains, {} of them \
-         closed: its {} leaves are the ends of the arcs.",
+        "{} samples of four open arcs and three closed curves near each other, drawn for this \
+         project. Crust joins an arc with a closed curve. HNN-Crust keeps only edges that both \
+         ends choose, joins nothing that lies apart, and returns {} chains, {} of them closed: \
+         its {} leaves are the ends of the arcs.",
         points.len(),
         chains.len(),
         chains.iter().filter(|chain| chain.is_closed()).count(),
@@ -148,9 +150,10 @@ pub(crate) fn figure_11(sets: &PointSets) -> Exhibit {
         .map(|edges| edges.leaves().len().to_string())
         .collect();
     let text = format!(
-        "Samples of closed curves with corners too sharp or strands too close for ρ < 0.9. HNN-Crust keeps only edges on which both ends \
-         agree, and so shows where the condition is violated: by leaves ({}), in rings like samples left alone. The paper sets the heuristic GathanG beside it, \
-         which is not part of this project.",
+        "Samples of closed curves with corners too sharp or strands too close for ρ < 0.9. \
+         HNN-Crust keeps only edges on which both ends agree, and so shows where the condition is \
+         violated: by leaves ({}), in rings like samples left alone. The paper sets the heuristic \
+         GathanG beside it, which is not part of this project.",
         leaves.join(" and "),
     );
     Exhibit {
@@ -158,7 +161,9 @@ pub(crate) fn figure_11(sets: &PointSets) -> Exhibit {
         heading: "where the condition is violated".to_owned(),
         text,
         figure: Figure {
-            title: "Samples that violate the condition, and their reconstruction by HNN-Crust with its leaves".to_owned(),
+            title: "Samples that violate the condition, and their reconstruction by HNN-Crust \
+                   with its leaves"
+                .to_owned(),
             columns: 2,
             panels: panels.collect(),
         },

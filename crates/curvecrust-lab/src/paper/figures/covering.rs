@@ -13,17 +13,20 @@ const FINE: u32 = 180;
 
 /// The eight configurations.
 pub(super) fn figure_8() -> Exhibit {
-    let text = "Why s2 is the half neighbour of s1 for ρ = 0.9. Balls that touch the curve, or the x axis as a bound \
-        of it, hold no sample; they cover what O(s1, |s1 s2|) and the half-plane H beyond the bisector of s0 and s1 have in common \
-        on the side of s0. So no sample there can be nearer than s2. The ratio is that of |x s1| to |s1 y|, α and β are the angles of x and y below the tangent \
-        at s1: at most 26.7° for y, and less for an x nearer than y. In the fourth case the balls reach the corner barely: 0.9 is \
-        close to tight.";
+    let text = "Why s2 is the half neighbour of s1 for ρ = 0.9. Balls that touch the curve, or \
+        the x axis as a bound of it, hold no sample; they cover what O(s1, |s1 s2|) and the \
+        half-plane H beyond the bisector of s0 and s1 have in common on the side of s0. So no \
+        sample there can be nearer than s2. The ratio is that of |x s1| to |s1 y|, α and β are \
+        the angles of x and y below the tangent at s1: at most 26.7° for y, and less for an x \
+        nearer than y. In the fourth case the balls reach the corner barely: 0.9 is close to \
+        tight.";
     Exhibit {
         number: 8,
         heading: "rolling balls around s1".to_owned(),
         text: text.to_owned(),
         figure: Figure {
-            title: "Tangent balls that cover the disk around s1 in the half-plane H, in eight configurations"
+            title: "Tangent balls that cover the disk around s1 in the half-plane H, in eight \
+                   configurations"
                 .to_owned(),
             columns: 4,
             panels: CONFIGURATIONS.iter().map(panel).collect(),
@@ -77,8 +80,8 @@ fn written(ratio: f64) -> String {
     known.map_or_else(|| ratio.to_string(), |(_, name)| (*name).to_owned())
 }
 
-/// Names on the free side of the curve: below it left of s1, where balls are above, and outside on the
-/// right. That of x is beside the bisector, which runs below x.
+/// Names on the free side of the curve: below it left of s1, where balls are above, and outside on
+/// the right. That of x is beside the bisector, which runs below x.
 fn labels(scene: &Scene) -> [Label; 5] {
     let [alpha, beta] = scene.angles;
     let label = |name: &str, at: DVec2, towards: DVec2| Label {

@@ -2,35 +2,40 @@
 //!
 //! S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many Fewer Samples*, SGP
 //! 2016, Section 7: Lemmas 4 to 8, and the proof of Theorem 2. It leaves to show that no sample z
-//! above I = [s0, s1] lies in O(s1, |s1 s2|) and in the half-plane H, so that s2 is the half neighbour of
-//! s1. That holds where balls without a point of the curve in them cover O(s1, |s1 s2|) ∩ H.
+//! above I = [s0, s1] lies in O(s1, |s1 s2|) and in the half-plane H, so that s2 is the half
+//! neighbour of s1. That holds where balls without a point of the curve in them cover O(s1,
+//! |s1 s2|) ∩ H.
 //!
-//! **Place.** s1 is the origin, the curve's tangent there the x axis; y points up, s0 is on the left.
-//! The unit is the lfs that is certain at s1 and y: lfs ≥ reach([s1, s2]) > |s1 y| / ρ, so at worst
-//! |s1 y| = ρ. Here x and y are the points of the two intervals as far from s1 as from s0 and s2, and
-//! |x s1| = ratio · ρ.
+//! **Place.** s1 is the origin, the curve's tangent there the x axis; y points up, s0 is on the
+//! left. The unit is the lfs that is certain at s1 and y: lfs ≥ reach([s1, s2]) > |s1 y| / ρ, so at
+//! worst |s1 y| = ρ. Here x and y are the points of the two intervals as far from s1 as from s0 and
+//! s2, and |x s1| = ratio · ρ.
 //!
-//! **Angles.** x and y lie at the angles α and β below the x axis: there the curve bends away from z, and
-//! H is widest. The disk of lfs(s1) that touches the x axis from below is free of the curve (Lemma 5),
-//! so |x s1| ≥ 2 sin α, or α ≤ arcsin(|x s1| / 2), and likewise β (Lemma 8): at most 26.7° at the distance ρ,
-//! *less* for a nearer x. Fractions in the caption of the figure are taken of these maxima.
+//! **Angles.** x and y lie at the angles α and β below the x axis: there the curve bends away from
+//! z, and H is widest. The disk of lfs(s1) that touches the x axis from below is free of the curve
+//! (Lemma 5), so |x s1| ≥ 2 sin α, or α ≤ arcsin(|x s1| / 2), and likewise β (Lemma 8): at most
+//! 26.7° at the distance ρ, *less* for a nearer x. Fractions in the caption of the figure are taken
+//! of these maxima.
 //!
-//! **s0 and s2** continue the circle through s1 and x, or y, that is tangent to the x axis (constant
-//! curvature, the extreme of Lemma 7): s0 is at the angle 2α below the axis and |s0 s1| = 2 |x s1| cos α;
-//! |s1 s2| = 2 ρ cos β. H is bounded by the bisector of s0 and s1, which passes through the circle's centre.
+//! **s0 and s2** continue the circle through s1 and x, or y, that is tangent to the x axis
+//! (constant curvature, the extreme of Lemma 7): s0 is at the angle 2α below the axis and |s0 s1| =
+//! 2 |x s1| cos α; |s1 s2| = 2 ρ cos β. H is bounded by the bisector of s0 and s1, which passes
+//! through the circle's centre.
 //!
-//! **Balls.** A disk around a curve point p of radius lfs(p) is free of the medial axis, so a ball with its
-//! centre c in it and a radius of the distance from c to the curve is free of the curve (Lemma 6). Two
-//! such disks are certain: around s1 with radius 1, and around x with radius max(ratio, 1 - |x s1|), by the reach of
-//! [s0, s1] and because lfs is 1-Lipschitz. The distance from c to the curve is bounded by what the
-//! curve does not rise above: the disk that x lies on, if α is largest, or else, as in the paper, the x axis.
-//! Centres stay left of s1; the curve on the right of it is farther from them than s1.
+//! **Balls.** A disk around a curve point p of radius lfs(p) is free of the medial axis, so a ball
+//! with its centre c in it and a radius of the distance from c to the curve is free of the curve
+//! (Lemma 6). Two such disks are certain: around s1 with radius 1, and around x with radius
+//! max(ratio, 1 - |x s1|), by the reach of [s0, s1] and because lfs is 1-Lipschitz. The distance
+//! from c to the curve is bounded by what the curve does not rise above: the disk that x lies on,
+//! if α is largest, or else, as in the paper, the x axis. Centres stay left of s1; the curve on the
+//! right of it is farther from them than s1.
 //!
-//! The region is taken a little larger than in the figure of the paper: all of O(s1, |s1 s2|) ∩ H on
-//! the left of s1 that lies above the disk, or the axis, not only what is above the axis. The tests
-//! find it covered in all eight configurations, barely in the fourth, as the paper says. If instead α could be
-//! 26.7° whatever |x s1| is, the fourth and the fifth would not be covered; see the tests. These are eight
-//! examples, not a proof: the paper's runs through all combinations of small intervals.
+//! The region is taken a little larger than in the figure of the paper: all of O(s1, |s1 s2|) ∩ H
+//! on the left of s1 that lies above the disk, or the axis, not only what is above the axis. The
+//! tests find it covered in all eight configurations, barely in the fourth, as the paper says. If
+//! instead α could be 26.7° whatever |x s1| is, the fourth and the fifth would not be covered; see
+//! the tests. These are eight examples, not a proof: the paper's runs through all combinations of
+//! small intervals.
 
 use crate::figure::Ball;
 use curvecrust::DVec2;

@@ -14,7 +14,7 @@ use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
 use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{Condition, sample_as_published};
 
-/// The paper's setting, so that the numbers are those of its tables.
+/// The setting of the authors' program, so that the numbers are those of its tables.
 pub(super) const SETTING: Run = Run::ShrinkingBall(Points::PerSegment);
 /// Points a segment of a drawn curve.
 const DRAWN: u32 = 24;
@@ -45,9 +45,10 @@ pub(crate) fn figure_1(models: &[Model]) -> anyhow::Result<Exhibit> {
             .insert(0, Layer::MedialAxis(axis.clone()));
     }
     let text = format!(
-        "A smooth curve with its medial axis under three sampling conditions, each of which is enough for HNN-Crust to return \
-         the polygon in curve order: ε < 1/3, the best bound before the paper, takes {} samples; ε < 0.47, the paper's \
-         bound for the same condition, {}; and ρ < 0.9, its new condition, {}. The first takes {} % more than the last.",
+        "A smooth curve with its medial axis under three sampling conditions, each of which is \
+         enough for HNN-Crust to return the polygon in curve order: ε < 1/3, the best bound \
+         before the paper, takes {} samples; ε < 0.47, the paper's bound for the same condition, \
+         {}; and ρ < 0.9, its new condition, {}. The first takes {} % more than the last.",
         third.count,
         epsilon.count,
         rho.count,
@@ -58,8 +59,8 @@ pub(crate) fn figure_1(models: &[Model]) -> anyhow::Result<Exhibit> {
         heading: "one curve, three conditions".to_owned(),
         text,
         figure: Figure {
-            title: "One curve under three sampling conditions, with its medial axis, its samples, and their \
-                    reconstruction by HNN-Crust"
+            title: "One curve under three sampling conditions, with its medial axis, its samples, \
+                    and their reconstruction by HNN-Crust"
                 .to_owned(),
             columns: 3,
             panels: [third, epsilon, rho].map(|sampling| sampling.panel).into(),
@@ -83,12 +84,13 @@ pub(crate) fn figure_9(models: &[Model]) -> anyhow::Result<Exhibit> {
         number: 9,
         heading: "ε < 1/3 against ρ < 0.9".to_owned(),
         text: format!(
-            "Left the best bound before the paper, right its new condition, on three curves. Both samplings of each are \
-             reconstructed; the right one takes far fewer samples, {}.",
+            "Left the best bound before the paper, right its new condition, on three curves. Both \
+             samplings of each are reconstructed; the right one takes far fewer samples, {}.",
             counts.join(", ")
         ),
         figure: Figure {
-            title: "Three curves sampled under epsilon < 1/3 and under rho < 0.9, and reconstructed by HNN-Crust"
+            title: "Three curves sampled under epsilon < 1/3 and under rho < 0.9, and \
+                   reconstructed by HNN-Crust"
                 .to_owned(),
             columns: 2,
             panels,
@@ -100,7 +102,9 @@ pub(crate) fn figure_9(models: &[Model]) -> anyhow::Result<Exhibit> {
 pub(crate) fn bunny(models: &[Model]) -> anyhow::Result<Figure> {
     let [third, rho] = compared(models, "bunny", None)?;
     Ok(Figure {
-        title: "A rabbit sampled under epsilon < 1/3 and under rho < 0.9, and reconstructed by HNN-Crust".to_owned(),
+        title: "A rabbit sampled under epsilon < 1/3 and under rho < 0.9, and reconstructed by \
+               HNN-Crust"
+            .to_owned(),
         columns: 2,
         panels: vec![third.panel, rho.panel],
     })
@@ -111,8 +115,9 @@ pub(crate) fn figure_10(models: &[Model]) -> anyhow::Result<Exhibit> {
     let [third, rho] = compared(models, "bunny", Some(LIMIT_PERCENT))?;
     let [.., free] = compared(models, "bunny", None)?;
     let text = format!(
-        "The polygon has to stay within {LIMIT_PERCENT} % of the curve's larger extent. Under ρ < 0.9 that takes {} samples, {} more \
-         than without the limit; ε < 1/3 takes {}, {} % more, which add nothing at that precision.",
+        "The polygon has to stay within {LIMIT_PERCENT} % of the curve's larger extent. Under ρ < \
+         0.9 that takes {} samples, {} more than without the limit; ε < 1/3 takes {}, {} % more, \
+         which add nothing at that precision.",
         rho.count,
         rho.count.saturating_sub(free.count),
         third.count,
@@ -123,7 +128,9 @@ pub(crate) fn figure_10(models: &[Model]) -> anyhow::Result<Exhibit> {
         heading: "within a Hausdorff distance of 1 %".to_owned(),
         text,
         figure: Figure {
-            title: "A rabbit sampled under two conditions so that the polygon stays within 1 % of its extent".to_owned(),
+            title: "A rabbit sampled under two conditions so that the polygon stays within 1 % of \
+                   its extent"
+                .to_owned(),
             columns: 2,
             panels: vec![third.panel, rho.panel],
         },
