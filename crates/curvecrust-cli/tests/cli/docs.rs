@@ -67,7 +67,12 @@ fn every_row_of_bad_input() {
 
 #[test]
 fn every_other_bad_input_has_a_test() {
-    let tests = [include_str!("bad_input.rs"), include_str!("files.rs")].concat();
+    let tests = [
+        include_str!("bad_documents.rs"),
+        include_str!("bad_input.rs"),
+        include_str!("files.rs"),
+    ]
+    .concat();
     let rows = rows(
         section("## Bad input"),
         "| what | what is printed after the file's name |",

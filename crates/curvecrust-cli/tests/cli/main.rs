@@ -6,6 +6,7 @@
     reason = "a test, its helpers included"
 )]
 
+mod bad_documents;
 mod bad_input;
 mod curves;
 mod docs;
