@@ -32,9 +32,10 @@
 //!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
 //!   it is one arc, which holds no other sample: the disc is empty.
 //! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
-//!   edges (SGP 2016, Theorem 3), the beta-skeleton with beta = 1.7 too (Amenta, Bern, Eppstein
-//!   1998), whose edges are all in the one-step crust, and by Lemma 9 of SGP 2016 they turn by less
-//!   than step 1 allows. So all true edges are certified, and no end is free.
+//!   edges (SGP 2016, Theorem 3, which is proven for epsilon < 0.404), the beta-skeleton with
+//!   beta = 1.7 too (Amenta, Bern, Eppstein 1998), whose edges are all in the one-step crust, and by
+//!   Lemma 9 of SGP 2016 they turn by less than step 1 allows. So all true edges are certified, and
+//!   no end is free.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!
