@@ -32,8 +32,8 @@
 //!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
 //!   it is one arc, which holds no other sample: the disc is empty.
 //! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
-//!   edges (SGP 2016, Theorem 3, which is proven for epsilon < 0.404), the beta-skeleton with
-//!   beta = 1.7 too (Amenta, Bern, Eppstein 1998), whose edges are all in the one-step crust, and by
+//!   edges (SGP 2016, Theorem 3, which is proven for epsilon < 0.404), the beta-skeleton with beta
+//!   = 1.7 too (Amenta, Bern, Eppstein 1998), whose edges are all in the one-step crust, and by
 //!   Lemma 9 of SGP 2016 they turn by less than step 1 allows. So all true edges are certified, and
 //!   no end is free.
 //!
@@ -74,8 +74,8 @@ use penalties::PenaltyModel;
 /// use curvecrust_reconstruct::{hnn_crust, least_detour};
 ///
 /// // Two circles that are nearer to each other than their samples are.
-/// let circle = |radius: f64| {
-///     (0..20).map(move |i| radius * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 20.0))
+/// let circle = |r: f64| {
+///     (0..20).map(move |i| r * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 20.0))
 /// };
 /// let points = PointSet::new(circle(3.2).chain(circle(4.0)).collect())?;
 /// let rings = least_detour(&points).chains();

@@ -1,4 +1,5 @@
-//! A reconstruction as a user wants it: curves in order, rings inside rings, and loose ends.
+//! A reconstruction in the form that a user needs: curves in order, rings inside rings, and loose
+//! ends.
 
 use curvecrust_geometry::{Chain, EdgeSet, PointId, PointSet};
 
@@ -20,6 +21,7 @@ use crate::rings::{Surroundings, is_clockwise};
 /// let ring = PointSet::new(circle(20, 3.0).chain(circle(12, 1.0)).collect())?;
 /// let found = Reconstruction::by(&HnnCrust::MUTUAL, &ring);
 /// let [outer, hole] = found.chains() else { panic!("two rings") };
+/// assert!((&found).into_iter().all(|curve| curve.chain.is_closed()));
 /// assert_eq!((outer.nesting, hole.nesting), (Some(0), Some(1)));
 /// assert_eq!(hole.parent, Some(0));
 /// // Counter-clockwise, although the points were given clockwise.
@@ -132,6 +134,29 @@ impl Reconstruction {
     #[must_use]
     pub fn chains(&self) -> &[NestedChain] {
         &self.chains
+    }
+}
+
+/// The chains: [`Reconstruction::chains`].
+impl<'a> IntoIterator for &'a Reconstruction {
+    type Item = &'a NestedChain;
+    type IntoIter = std::slice::Iter<'a, NestedChain>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.chains.iter()
+    }
+}
+
+/// The edges: [`Reconstruction::edges`].
+impl AsRef<EdgeSet> for Reconstruction {
+    fn as_ref(&self) -> &EdgeSet {
+        &self.edges
+    }
+}
+
+impl From<Reconstruction> for EdgeSet {
+    fn from(found: Reconstruction) -> Self {
+        found.edges
     }
 }
 

@@ -49,7 +49,8 @@ pub(crate) struct Surroundings<'a> {
     lowest: f64,
 }
 
-/// So many sides make a run: few enough to look at one by one, enough that runs take little memory.
+/// The number of sides in a run: few enough to test one by one, enough that runs take little
+/// memory.
 const RUN: usize = 32;
 
 impl<'a> Surroundings<'a> {

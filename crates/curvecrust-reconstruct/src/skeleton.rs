@@ -152,6 +152,16 @@ impl Skeleton {
     }
 }
 
+/// The edges: [`Skeleton::edges`].
+impl<'a> IntoIterator for &'a Skeleton {
+    type Item = &'a SkeletonEdge;
+    type IntoIter = std::slice::Iter<'a, SkeletonEdge>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.edges.iter()
+    }
+}
+
 /// A segment in an R-tree.
 struct Piece(Segment);
 

@@ -1,5 +1,7 @@
 //! Where a reconstruction shows that its sampling condition was violated.
 
+use std::fmt;
+
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
 use crate::error::ReconstructError;
@@ -89,6 +91,29 @@ impl ViolationReport {
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.leaves.is_empty() && self.isolated.is_empty() && self.junctions.is_empty()
+    }
+}
+
+/// The numbers of leaves, isolated points and junctions, in one line.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::{ViolationReport, hnn_crust};
+///
+/// let points = PointSet::new(vec![DVec2::ZERO, DVec2::X])?;
+/// let report = ViolationReport::new(&points, &hnn_crust(&points))?;
+/// assert_eq!(report.to_string(), "2 leaves, 0 isolated points, 0 junctions");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+impl fmt::Display for ViolationReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counted = |count: usize, one: &str, more: &str| {
+            format!("{count} {}", if count == 1 { one } else { more })
+        };
+        let leaves = counted(self.leaves.len(), "leaf", "leaves");
+        let isolated = counted(self.isolated.len(), "isolated point", "isolated points");
+        let junctions = counted(self.junctions.len(), "junction", "junctions");
+        write!(f, "{leaves}, {isolated}, {junctions}")
     }
 }
 

@@ -55,7 +55,10 @@ proptest! {
     /// Circles around random centres in a row, each with circles inside circles.
     #[test]
     fn planted_depths_are_found(
-        families in prop::collection::vec(prop::collection::vec((3..90i32, any::<bool>()), 1..6), 1..6),
+        families in prop::collection::vec(
+            prop::collection::vec((3..90i32, any::<bool>()), 1..6),
+            1..6,
+        ),
     ) {
         let mut rings = Vec::new();
         let mut depths = Vec::new();

@@ -103,8 +103,8 @@ impl Ratio {
     }
 }
 
-/// The discs through `p` and `q`, by the cotangent of the angle under which their boundary on the
-/// left sees pq, that no vertex is strictly inside of.
+/// The discs through `p` and `q` that no vertex is strictly inside of, by the cotangent of the
+/// angle that pq subtends at their boundary on the left.
 pub(crate) struct Pencil<'a> {
     p: &'a Point,
     q: &'a Point,

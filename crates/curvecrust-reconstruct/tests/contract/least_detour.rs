@@ -488,7 +488,8 @@ proptest! {
             prop_assert!(!is_certified || explained.margin.is_none());
             prop_assert!(explained.margin.is_none_or(|margin| margin >= 0.0));
         }
-        let free: Vec<_> = why.free_ends.iter().map(|end| (end.point, usize::from(end.count))).collect();
+        let free = why.free_ends.iter().map(|end| (end.point, usize::from(end.count)));
+        let free: Vec<_> = free.collect();
         let expected = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
         prop_assert_eq!(free, expected.filter(|s| s.1 > 0).collect::<Vec<_>>());
         for end in &why.free_ends {

@@ -172,7 +172,10 @@ proptest! {
     }
 
     #[test]
-    fn termini_are_honoured_or_refused(points in any_points(), picks in prop::collection::vec(0..60usize, 0..4)) {
+    fn termini_are_honoured_or_refused(
+        points in any_points(),
+        picks in prop::collection::vec(0..60usize, 0..4),
+    ) {
         let inside = picks.iter().filter(|&&i| i < points.len());
         let termini: Vec<PointId> = inside.filter_map(|&i| PointId::new(i)).collect();
         for algorithm in ALGORITHMS {

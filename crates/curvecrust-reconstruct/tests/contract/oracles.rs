@@ -64,13 +64,13 @@ pub(crate) fn nn_crust(points: &PointSet) -> EdgeSet {
     joined(points, |p, q| chose(p, q) || chose(q, p))
 }
 
-/// No other point within the discs of radius beta |pq| / 2 through p and q: all see pq under less
-/// than asin(1/beta).
+/// No other point within the discs of radius beta |pq| / 2 through p and q: at every other point pq
+/// subtends less than asin(1/beta).
 pub(crate) fn beta_skeleton(points: &PointSet, beta: f64) -> EdgeSet {
     let exact = Exact::new(points);
     let beta = integer(beta);
     let one = integer(1.0);
-    let sees_less = |from: PointId, p: PointId, q: PointId| {
+    let subtends_less = |from: PointId, p: PointId, q: PointId| {
         let u = sub(exact.at(p), exact.at(from));
         let v = sub(exact.at(q), exact.at(from));
         let sine = &beta * cross(&u, &v);
@@ -79,7 +79,7 @@ pub(crate) fn beta_skeleton(points: &PointSet, beta: f64) -> EdgeSet {
     };
     joined(points, |p, q| {
         let mut others = points.ids().filter(|&r| r != p && r != q);
-        others.all(|r| sees_less(r, p, q))
+        others.all(|r| subtends_less(r, p, q))
     })
 }
 
