@@ -52,6 +52,7 @@ mod delaunay_edges;
 pub mod error;
 mod exact;
 pub mod explanation;
+mod frame;
 pub mod hnn_crust;
 pub mod least_detour;
 pub mod neighbours;

@@ -62,6 +62,16 @@ impl VoronoiVertex {
         }
     }
 
+    /// The corner at the widest angle.
+    pub(crate) fn corner(&self) -> DVec2 {
+        self.corner
+    }
+
+    /// The circumradius of its triangle, or less by a factor of at most the square root of 2.
+    pub(crate) fn size(&self) -> f64 {
+        self.offset.abs().max_element()
+    }
+
     /// Where it is as seen from an origin, rounded.
     pub(crate) fn position(&self, origin: DVec2) -> DVec2 {
         (self.corner - origin) + self.offset

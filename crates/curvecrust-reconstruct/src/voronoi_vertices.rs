@@ -7,33 +7,24 @@ use std::sync::OnceLock;
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
 
+use crate::frame::Frame;
 use crate::pencil::{Cut, Effect, Pencil};
 use crate::voronoi_vertex::VoronoiVertex;
 
 /// Half a unit in the last place of 1: the relative error of one operation.
 const U: f64 = f64::EPSILON / 2.0;
 
-/// Voronoi vertices by their rounded places.
+/// Voronoi vertices, indexed by their places.
 struct Indexed {
-    /// From where the tree sees all places: far from 0 there are no digits left.
-    origin: DVec2,
     vertices: Vec<VoronoiVertex>,
-    tree: RTree<GeomWithData<[f64; 2], usize>>,
+    frame: Frame,
 }
 
 impl Indexed {
-    fn new(points: &PointSet, vertices: Vec<VoronoiVertex>) -> Self {
-        let origin = points.points().first().copied().unwrap_or_default();
-        let places = vertices.iter().map(|v| v.position(origin).into());
-        let items = places
-            .zip(0..)
-            .map(|(p, index)| GeomWithData::new(p, index));
+    fn new(vertices: Vec<VoronoiVertex>) -> Self {
         Self {
-            origin,
-            tree: RTree::bulk_load(items.collect()),
+            frame: Frame::new(&vertices, (0..vertices.len()).collect()),
             vertices,
         }
     }
@@ -49,14 +40,7 @@ impl Indexed {
         if self.vertices.is_empty() {
             return ControlFlow::Continue(());
         }
-        match pencil.disc(cotangent, self.origin) {
-            Some((centre, radius_squared)) => self
-                .tree
-                .locate_within_distance(centre.into(), radius_squared)
-                .try_for_each(|item| visit(&self.vertices[item.data])),
-            // A disc too large for a tree holds them all.
-            None => self.vertices.iter().try_for_each(visit),
-        }
+        self.frame.in_disc(&self.vertices, pencil, cotangent, visit)
     }
 }
 
@@ -86,7 +70,7 @@ impl<'a> VoronoiVertices<'a> {
         Self {
             points,
             delaunay,
-            near: Indexed::new(points, near.collect()),
+            near: Indexed::new(near.collect()),
             far: OnceLock::new(),
             radius,
         }
@@ -98,7 +82,7 @@ impl<'a> VoronoiVertices<'a> {
             let others = triangles.filter(|&t| !is_small(self.points, t, self.radius));
             let others: Vec<[PointId; 3]> = others.collect();
             let vertex = |&triangle| VoronoiVertex::new(self.points, triangle);
-            Indexed::new(self.points, others.par_iter().map(vertex).collect())
+            Indexed::new(others.par_iter().map(vertex).collect())
         })
     }
 
@@ -256,5 +240,51 @@ impl<'a> Range<'a> {
             self.low.map_or(f64::NEG_INFINITY, |low| low.least),
             self.high.map_or(f64::INFINITY, |high| high.most),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::delaunay_edges::is_crust_edge;
+    use curvecrust_testing::hard_points::{exponential_spiral, far_grid};
+
+    /// How many vertices are visited per edge and disc, for the smallest discs of all edges that
+    /// the one-step crust keeps, and for those twice as wide on both sides.
+    fn visits_per_edge(points: Vec<DVec2>) -> f64 {
+        let points = PointSet::new(points).unwrap();
+        let delaunay = Delaunay::new(&points);
+        let edges = delaunay.edges().filter(|dual| is_crust_edge(&points, dual));
+        let edges: Vec<_> = edges.map(|dual| dual.ends).collect();
+        let length = |&[p, q]: &[PointId; 2]| points[p].distance(points[q]);
+        let longest = edges.iter().map(length).fold(0.0, f64::max);
+        let vertices = VoronoiVertices::new(&points, &delaunay, longest);
+        let mut visits = 0_usize;
+        for &ends in &edges {
+            let pencil = Pencil::new(&points, ends);
+            for cotangent in [-1.0, 0.0, 1.0] {
+                vertices.in_disc(&pencil, cotangent, |_| {
+                    visits += 1;
+                    ControlFlow::Continue(())
+                });
+            }
+        }
+        visits as f64 / edges.len() as f64
+    }
+
+    /// As seen from the largest coordinates, doubles do not resolve the inner part of the spiral, nor
+    /// points at 1e17 as seen from one at 0: every search visited all of them.
+    #[test]
+    fn searches_stay_local_beyond_the_digits_of_a_double() {
+        for n in [1000, 4000] {
+            let mut sets = vec![exponential_spiral(n)];
+            for corner in [DVec2::ONE, DVec2::NEG_ONE, DVec2::new(1.0, -1.0)] {
+                sets.push(far_grid(n, 1e17 * corner));
+            }
+            for (which, points) in sets.into_iter().enumerate() {
+                let visits = visits_per_edge(points);
+                assert!(visits < 30.0, "{n} {which}: {visits}");
+            }
+        }
     }
 }

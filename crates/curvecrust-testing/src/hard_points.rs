@@ -90,6 +90,10 @@ pub const HARD_POINTS: &[HardPoints] = &[
     }),
     hard("spiral", spiral),
     hard("spiral, shuffled", |n| shuffled(spiral(n))),
+    hard("exponential spiral", exponential_spiral),
+    hard("grid at 1e17 and the origin", |n| {
+        far_grid(n, DVec2::splat(1e17))
+    }),
     hard("geometric progression", |n| {
         // Distances over 40 powers of ten.
         let at = |i: usize| 10f64.powf(-40.0 * i as f64 / n as f64);
@@ -167,6 +171,24 @@ pub fn spiral(n: usize) -> Vec<DVec2> {
         DVec2::from_angle(turn) * (turn * 10.0 / TAU)
     };
     (0..n).map(at).collect()
+}
+
+/// A spiral over 90 powers of e: as seen from outside, doubles do not tell its inner points apart.
+#[must_use]
+pub fn exponential_spiral(n: usize) -> Vec<DVec2> {
+    let at = |i: usize| {
+        let turn = i as f64 / n as f64;
+        DVec2::from_angle(400.0 * turn) * (90.0 * turn).exp()
+    };
+    (0..n).map(at).collect()
+}
+
+/// A grid with steps of 16 from a far corner on, and the origin, from which doubles hardly tell its
+/// points apart.
+#[must_use]
+pub fn far_grid(n: usize, corner: DVec2) -> Vec<DVec2> {
+    let far = grid(n).into_iter().map(|p| corner + 16.0 * p);
+    far.chain([DVec2::ZERO]).collect()
 }
 
 /// In the order of a number that each point has.
