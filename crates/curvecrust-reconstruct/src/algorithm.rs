@@ -65,8 +65,9 @@ pub struct AlgorithmInfo {
     pub name: &'static str,
     /// Authors, title, venue and year.
     pub citation: &'static str,
-    /// Sampling conditions of smooth closed curves, each enough for the edges to be exactly those
-    /// between consecutive samples; empty if none is known.
+    /// Sampling conditions of smooth closed curves, each claimed to be enough for the edges to be
+    /// exactly those between consecutive samples, with what is known of the claim; empty if there is
+    /// none.
     pub guarantees: &'static [Guarantee],
     /// Time in the number n of points.
     pub cost: &'static str,

@@ -11,9 +11,9 @@
 //! 0.47 (Theorem 3). Theorem 2 is false as printed: from rho = 0.8950 on there are curves with
 //! samples at which an edge is lost. The covering of its Figure 8 leaves the ratio 0.7323
 //! uncovered. An argument by hand that needs no covering proves rho < 0.6786, and by Theorem 1
-//! epsilon < 0.4042; up to rho = 0.8950, and so for all of Theorem 3, no failure is known. A leaf
-//! on a curve that should be closed shows that the condition is violated, or that it is one of
-//! these cases.
+//! epsilon < 0.4042; up to rho = 0.8950, and so for all of Theorem 3, no failure is known. The
+//! project's docs/theory.md has the counterexample and the proof. A leaf on a curve that should be
+//! closed shows that the condition is violated, or that it is one of these cases.
 //!
 //! Local: the cost is that of finding neighbours, O(n log n) and nearly linear on curves.
 

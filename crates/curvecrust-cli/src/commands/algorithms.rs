@@ -48,7 +48,7 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     let guarantees = match &entry.guarantees[..] {
         [] => String::from("no condition is known under which it is correct"),
         some => format!(
-            "correct for closed smooth curves with {}",
+            "claimed correct for closed smooth curves with {}",
             some.join(" or ")
         ),
     };
