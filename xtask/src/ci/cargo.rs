@@ -1,20 +1,40 @@
-//! Steps that are commands of cargo.
+//! Steps that are commands of cargo or of other programs.
 
-use super::Outcome;
-use crate::test;
+use super::runner::Outcome;
 use anyhow::Context;
+use curvecrust_lab::root;
+use std::env;
+use std::ffi::OsString;
 use std::process::{Command, Stdio};
+
+/// The cargo that runs this task, at the root.
+pub(super) fn command() -> Command {
+    let program = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+    let mut command = Command::new(program);
+    command.current_dir(root()).stdin(Stdio::null());
+    command
+}
 
 /// Runs a command of cargo, its arguments separated by spaces.
 pub(super) fn cargo(arguments: &str) -> anyhow::Result<Outcome> {
-    eprintln!("   cargo {arguments}");
-    let mut command = test::cargo();
+    let mut command = command();
     command.args(arguments.split(' '));
     outcome(command, &format!("cargo {arguments}"))
 }
 
-/// Runs a command; its output goes straight through.
+/// Runs a command of cargo with one more flag in a variable that holds flags.
+pub(super) fn cargo_with((name, flag): (&str, &str), arguments: &str) -> anyhow::Result<Outcome> {
+    let mut flags = env::var_os(name).unwrap_or_default();
+    flags.push(" ");
+    flags.push(flag);
+    let mut command = command();
+    command.args(arguments.split(' ')).env(name, flags);
+    outcome(command, &format!("{name}={flag} cargo {arguments}"))
+}
+
+/// Shows and runs a command; its output goes straight through.
 pub(super) fn outcome(mut command: Command, typed: &str) -> anyhow::Result<Outcome> {
+    eprintln!("   {typed}");
     let status = command
         .status()
         .with_context(|| format!("cannot start `{typed}`"))?;
@@ -27,9 +47,10 @@ pub(super) fn outcome(mut command: Command, typed: &str) -> anyhow::Result<Outco
 
 /// Whether cargo has a subcommand.
 pub(super) fn has(subcommand: &str) -> bool {
-    succeeds(test::cargo().args([subcommand, "--version"]))
+    succeeds(command().args([subcommand, "--version"]))
 }
 
+/// Whether a command succeeds; it is not heard.
 pub(super) fn succeeds(command: &mut Command) -> bool {
     let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());
     quiet.status().is_ok_and(|status| status.success())

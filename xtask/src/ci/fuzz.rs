@@ -1,11 +1,9 @@
 //! The fuzz targets, built with plain cargo on a stable toolchain, and run for a while.
 
-use super::Outcome;
-use super::cargo::{outcome, succeeds};
-use crate::test;
+use super::cargo::{command, outcome, succeeds};
+use super::runner::Outcome;
 use anyhow::Context;
-use curvecrust_lab::output_of;
-use curvecrust_lab::root;
+use curvecrust_lab::{output_of, root};
 use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
@@ -31,7 +29,7 @@ pub(super) fn run() -> anyhow::Result<Outcome> {
     }
     let workspace = root().join("fuzz");
     let host = host()?;
-    let mut build = test::cargo();
+    let mut build = command();
     build.current_dir(&workspace).env("RUSTFLAGS", FLAGS);
     // With a target, flags are not for build scripts.
     build.args(["build", "--release", "--target", &host]);

@@ -1,12 +1,9 @@
 //! Instructions of the kernels, counted by valgrind: what a loaded machine cannot hide.
 
-use super::Outcome;
-use super::cargo::succeeds;
-use crate::test;
+use super::cargo::{command, succeeds};
+use super::runner::Outcome;
 use anyhow::{Context, bail};
-use curvecrust_lab::output_of;
-use curvecrust_lab::root;
-use curvecrust_lab::write_atomically;
+use curvecrust_lab::{output_of, root, write_atomically};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::process::Command;
@@ -92,7 +89,7 @@ fn count_all() -> anyhow::Result<BTreeMap<String, f64>> {
 
 /// Without dispatch: every processor is counted alike.
 fn build() -> anyhow::Result<()> {
-    let mut command = test::cargo();
+    let mut command = command();
     command.args(["build", "--release", "-p", "curvecrust-benches"]);
     command.args(["--bin", "instructions", "--features", "portable"]);
     command.args(["--target-dir", "target/instructions"]);

@@ -1,8 +1,7 @@
 //! The packages of the workspace, each by itself: its features, and what would be published of it.
 
-use super::Outcome;
-use super::cargo::cargo;
-use crate::test;
+use super::cargo::{cargo, command};
+use super::runner::Outcome;
 use anyhow::{Context, ensure};
 use curvecrust_lab::root;
 use serde::Deserialize;
@@ -21,12 +20,20 @@ pub(super) struct Package {
     pub(super) rust_version: Option<String>,
     /// Where it comes from, if not from the workspace.
     pub(super) source: Option<String>,
+    /// The registries it may go to: all if there is no list.
+    publish: Option<Vec<String>>,
     features: BTreeMap<String, Vec<String>>,
+}
+
+impl Package {
+    pub(super) fn is_published(&self) -> bool {
+        self.publish.as_ref().is_none_or(|to| !to.is_empty())
+    }
 }
 
 /// The packages that `cargo metadata` lists, given more arguments.
 pub(super) fn packages(arguments: &[&str]) -> anyhow::Result<Vec<Package>> {
-    let mut command = test::cargo();
+    let mut command = command();
     command.args(["metadata", "--format-version", "1"]);
     let output = command.args(arguments).output();
     let output = output.context("cannot run cargo metadata")?;
@@ -60,8 +67,14 @@ pub(super) fn publishable() -> anyhow::Result<Outcome> {
         .tempdir_in(target)?;
     let name = fresh.path().file_name().unwrap_or_default();
     let name = name.to_string_lossy();
+    let mut without = String::new();
+    for package in packages(&["--no-deps"])? {
+        if !package.is_published() {
+            without += &format!(" --exclude {}", package.name);
+        }
+    }
     cargo(&format!(
-        "package --workspace --exclude xtask --exclude curvecrust-benches --allow-dirty \
-         --config profile.dev.debug=0 --target-dir target/{name}"
+        "package --workspace{without} --allow-dirty --config profile.dev.debug=0 \
+         --target-dir target/{name}"
     ))
 }

@@ -1,9 +1,8 @@
 //! The oldest Rust that the manifests promise.
 
-use super::Outcome;
-use super::cargo::{outcome, succeeds};
+use super::cargo::{cargo, outcome, succeeds};
 use super::packages::{Package, packages};
-use crate::test;
+use super::runner::Outcome;
 use anyhow::Context;
 use curvecrust_lab::root;
 use std::process::Command;
@@ -31,7 +30,7 @@ pub(super) fn run() -> anyhow::Result<Outcome> {
     if installed(oldest) {
         return by_itself(oldest);
     }
-    let linted = test::CLIPPY.outcome()?;
+    let linted = cargo("clippy --workspace --all-targets -- -D warnings")?;
     Ok(if let Outcome::Passed = linted {
         Outcome::PassedBy(format!(
             "clippy and what dependencies ask for, Rust {oldest} is not installed"

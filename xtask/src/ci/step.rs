@@ -1,0 +1,139 @@
+//! The steps, by name and order, and what each one runs.
+
+use super::cargo::{cargo, cargo_with, has};
+use super::runner::Outcome;
+use super::{advisories, fuzz, instructions, packages, rust_version, tools, wasm};
+use clap::ValueEnum;
+use curvecrust_lab::root;
+
+/// What is run, in this order. The first line of each is shown before the step runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Step {
+    /// Format of all sources
+    Format,
+    /// Format of manifests and other TOML files, by taplo
+    Toml,
+    /// Spelling of sources and documents, by typos
+    Typos,
+    /// Lints, of the libraries and programs alone and with all tests and benches
+    Clippy,
+    /// Tests of the workspace
+    Tests,
+    /// Examples in the documentation
+    Doctests,
+    /// Documentation without a warning
+    Docs,
+    /// Each feature of each crate alone
+    Features,
+    /// The oldest Rust that the manifests promise
+    RustVersion,
+    /// The libraries for WebAssembly
+    Wasm,
+    /// Every crate as it would be published
+    Package,
+    /// Licences, bans and sources of all dependencies
+    Deny,
+    /// Known vulnerabilities of all dependencies, those of the fuzz targets included
+    Advisories,
+    /// Hard points in every order, answered by every algorithm
+    Adversarial,
+    /// The tables of the paper within their bounds
+    ReproducePaper,
+    /// The experiments of compare, at few trials
+    Compare,
+    /// Instructions of the kernels against the committed baseline
+    Instructions,
+    /// Each fuzz target, for half a minute
+    Fuzz,
+}
+
+impl Step {
+    /// The steps of `cargo xtask test`, in the order in which they fail fastest: they need nothing
+    /// but cargo.
+    pub(super) const TEST: [Self; 5] = [
+        Self::Format,
+        Self::Clippy,
+        Self::Tests,
+        Self::Doctests,
+        Self::Docs,
+    ];
+
+    /// The name by which it is asked for.
+    pub(super) fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
+    /// What it looks at.
+    pub(super) fn about(self) -> String {
+        let value = self.to_possible_value();
+        let help = value.as_ref().and_then(|value| value.get_help());
+        help.map(ToString::to_string).unwrap_or_default()
+    }
+
+    pub(super) fn run(self, renew_instructions: bool) -> anyhow::Result<Outcome> {
+        match self {
+            Self::Format => cargo("fmt --all -- --check"),
+            Self::Toml => tools::taplo(),
+            Self::Typos => tools::typos(),
+            Self::Clippy => match cargo("clippy --workspace -- -D warnings")? {
+                Outcome::Passed => cargo("clippy --workspace --all-targets -- -D warnings"),
+                alone => Ok(alone),
+            },
+            Self::Tests if has("nextest") => cargo("nextest run --workspace"),
+            // Without the doctests, a step of their own, and the benches, which are no tests.
+            Self::Tests => cargo("test --workspace --lib --bins --tests --examples"),
+            Self::Doctests => cargo("test --workspace --doc"),
+            Self::Docs => cargo_with(
+                ("RUSTDOCFLAGS", "-Dwarnings"),
+                "doc --workspace --no-deps --all-features",
+            ),
+            Self::Features => packages::each_feature_alone(),
+            Self::RustVersion => rust_version::run(),
+            Self::Wasm => wasm::run(),
+            Self::Package => packages::publishable(),
+            Self::Deny if !has("deny") => Ok(Outcome::Skipped("no cargo-deny".to_owned())),
+            Self::Deny => cargo("deny check licenses bans sources"),
+            Self::Advisories => advisories::run(),
+            Self::Adversarial => cargo("test -p curvecrust --test adversarial"),
+            Self::ReproducePaper => reproduce_paper(),
+            Self::Compare => cargo("xtask compare --quick"),
+            Self::Instructions => instructions::run(renew_instructions),
+            Self::Fuzz => fuzz::run(),
+        }
+    }
+}
+
+/// The tables on the authors' curves, where these are at hand.
+fn reproduce_paper() -> anyhow::Result<Outcome> {
+    let beside = root().join("../shared/paper-data");
+    if beside.is_dir() {
+        let fetched = cargo("xtask fetch-paper-data --from ../shared/paper-data")?;
+        if !matches!(fetched, Outcome::Passed) {
+            return Ok(fetched);
+        }
+    } else if !root().join("fixtures/paper").is_dir() {
+        let why = "no curves of the paper: cargo xtask fetch-paper-data lays them under fixtures";
+        return Ok(Outcome::Skipped(why.to_owned()));
+    }
+    cargo("xtask reproduce-paper")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_step_says_what_it_looks_at() {
+        for step in Step::value_variants() {
+            assert!(step.about().len() > 10, "{}", step.name());
+        }
+    }
+
+    #[test]
+    fn the_steps_of_test_keep_the_order_of_all() {
+        let all = Step::value_variants();
+        let place = |step: &Step| all.iter().position(|other| other == step);
+        assert!(Step::TEST.is_sorted_by_key(place));
+    }
+}
