@@ -33,3 +33,8 @@ pub use curve::{Curve, CurveParam};
 pub use dense::DenseCurve;
 pub use error::{AnalyticError, Corner, CurveError, DENSE_LIMIT, DenseError};
 pub use split::SplitCurve;
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

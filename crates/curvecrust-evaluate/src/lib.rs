@@ -64,3 +64,8 @@ pub use metric::{Better, METRICS, Metric, Precision};
 pub use reference::Reference;
 pub use rms::RootMeanSquare;
 pub use topology::Topology;
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

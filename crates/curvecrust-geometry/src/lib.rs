@@ -50,3 +50,8 @@ pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;
 pub use spatial_order::{hilbert_order, in_hilbert_order};
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -39,3 +39,8 @@ pub use discretise::{
 pub use error::MedialAxisError;
 pub use lfs::LocalFeatureSize;
 pub use pieces::{MeasurePiecesOptions, measure_pieces, measure_pieces_with};
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -84,3 +84,8 @@ pub use reconstruction::{NestedChain, Reconstruction};
 pub use skeleton::{Skeleton, SkeletonEdge, SkeletonEnd};
 pub use sphere_of_influence::{SphereOfInfluence, sphere_of_influence};
 pub use violations::{Joint, ViolationReport};
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

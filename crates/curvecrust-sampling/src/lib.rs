@@ -66,3 +66,8 @@ pub use sampled_curve::{ClosingInterval, SampledCurve};
 pub use sampling::{SampleOptions, Sampling};
 pub use uneven::{UnevenOptions, sample_unevenly, sample_unevenly_with, sample_uniformly};
 pub use verified::{VerifyOptions, sample_verified, sample_verified_with};
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

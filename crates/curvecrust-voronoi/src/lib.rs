@@ -14,3 +14,8 @@ pub mod order;
 
 pub use delaunay::{Delaunay, DualEdge};
 pub use order::brio_order;
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -64,3 +64,8 @@ pub use error::Error;
 pub use glam::DVec2;
 pub use points::IntoPoint;
 pub use sample::sample;
+
+/// The example of the README is a test too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
