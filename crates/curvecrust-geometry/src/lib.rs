@@ -32,6 +32,7 @@ pub mod point_set;
 pub mod predicates;
 pub mod progress;
 pub mod random;
+mod radix;
 pub mod segment;
 pub mod segment_tree;
 pub mod similarity;

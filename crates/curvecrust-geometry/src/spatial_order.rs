@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 use rayon::prelude::*;
-use rdst::{RadixKey, RadixSort};
 
 use crate::hilbert;
 use crate::point_id::PointId;
 use crate::point_set::{PointSet, by_coordinates};
+use crate::radix::sort_by_upper_half;
 
 /// Points that may share a cell of the grid; more of them get a grid of their own.
 const CROWD: usize = 24;
@@ -41,16 +41,13 @@ pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
     let grid = Grid::over(points.iter().copied());
     #[expect(clippy::cast_possible_truncation, reason = "a point set bounds it")]
     let count = points.len() as u32;
-    let mut keyed: Vec<Keyed> = (0..count)
+    let mut keyed: Vec<u64> = (0..count)
         .into_par_iter()
         .with_min_len(TASK)
         .map(|index| grid.keyed(points, index))
         .collect();
     sort(points, &mut keyed);
-    keyed
-        .into_iter()
-        .map(|k| PointId::from(k.index()))
-        .collect()
+    keyed.into_iter().map(|k| PointId::from(index(k))).collect()
 }
 
 /// The points along the Hilbert curve as a set of their own, and the id that each has in `points`:
@@ -71,43 +68,21 @@ pub fn in_hilbert_order(points: &PointSet) -> (PointSet, Vec<PointId>) {
     (PointSet::reordered(reordered), ids)
 }
 
-/// The key of a point (the high half) and its index.
-#[derive(Clone, Copy)]
-struct Keyed(u64);
-
-impl Keyed {
-    #[expect(clippy::cast_possible_truncation, reason = "the low half")]
-    fn index(self) -> u32 {
-        self.0 as u32
-    }
-
-    fn has_key_of(&self, other: &Self) -> bool {
-        self.0 >> 32 == other.0 >> 32
-    }
+/// The index of a point, beside its key in the upper half.
+#[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+fn index(keyed: u64) -> u32 {
+    keyed as u32
 }
 
-impl RadixKey for Keyed {
-    /// Only the key is sorted by.
-    const LEVELS: usize = 4;
-
-    #[inline(always)]
-    fn get_level(&self, level: usize) -> u8 {
-        self.0.to_le_bytes()[4 + level]
-    }
-}
-
-/// Sorts points by their keys.
-fn sort(points: &[DVec2], keyed: &mut [Keyed]) {
-    let sorter = keyed.radix_sort_builder().with_low_mem_tuner();
-    sorter
-        .with_parallel(rayon::current_num_threads() > 1)
-        .sort();
-    for crowd in keyed.chunk_by_mut(Keyed::has_key_of) {
-        let at = |k: &Keyed| points[k.index() as usize];
+/// Sorts points, each a key in the upper half and an index in the lower one.
+fn sort(points: &[DVec2], keyed: &mut [u64]) {
+    sort_by_upper_half(keyed);
+    for crowd in keyed.chunk_by_mut(|j, k| j >> 32 == k >> 32) {
+        let at = |k: &u64| points[index(*k) as usize];
         if crowd.len() > CROWD {
             let grid = Grid::over(crowd.iter().map(at));
             for k in &mut *crowd {
-                *k = grid.keyed(points, k.index());
+                *k = grid.keyed(points, index(*k));
             }
             sort(points, crowd);
         } else if crowd.len() > 1 {
@@ -142,10 +117,10 @@ impl Grid {
         reason = "between 0 and SIDE"
     )]
     #[inline(always)]
-    fn keyed(&self, points: &[DVec2], index: u32) -> Keyed {
+    fn keyed(&self, points: &[DVec2], index: u32) -> u64 {
         let cell = (points[index as usize] - self.low) * self.scale;
         let key = hilbert::key(cell.x as u32, cell.y as u32);
-        Keyed(u64::from(key) << 32 | u64::from(index))
+        u64::from(key) << 32 | u64::from(index)
     }
 }
 
