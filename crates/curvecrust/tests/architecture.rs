@@ -317,11 +317,25 @@ fn packages_are_fit_for_publishing() {
         must(described(&package.description), "description");
         must((1..=5).contains(&package.keywords.len()), "1 to 5 keywords");
         must(!package.categories.is_empty(), "categories");
+        let folder = package.manifest_path.with_file_name("");
+        // Copies and no links, which not every system can check out.
+        for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+            let copy = fs::read_to_string(folder.join(licence));
+            let same = copy.is_ok_and(|text| text == read(&root().join(licence)));
+            must(same, &format!("a copy of the top {licence}"));
+        }
         let readme = package.readme();
         must(
-            readme.is_some_and(|path| path.is_file()),
-            "a readme that is there",
+            readme.is_some_and(|path| path.is_file() && path.starts_with(&folder)),
+            "a readme of its own",
         );
+        if package.targets.iter().any(|target| target.is_bin()) {
+            continue;
+        }
+        let pages = format!("https://docs.rs/{name}");
+        must(package.documentation == Some(pages), "documentation");
+        let page = &package.metadata["docs"]["rs"];
+        must(page["all-features"] == true, "all features on docs.rs");
     }
     assert_none(&wrong, "metadata that is missing");
 }
