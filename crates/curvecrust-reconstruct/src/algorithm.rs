@@ -6,6 +6,7 @@ use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
+use crate::known::Known;
 
 /// An algorithm that joins bare points by the edges of the curves they were sampled from.
 ///
@@ -42,6 +43,28 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
         }
     }
 
+    /// The edges that agree with what is known about the curves.
+    ///
+    /// With termini alone this is [`reconstruct_open`](Self::reconstruct_open), whatever the algorithm.
+    ///
+    /// # Errors
+    /// [`KnownNotHonoured`](ReconstructError::KnownNotHonoured) by algorithms that cannot use what is
+    /// known; else those of [`reconstruct_open`](Self::reconstruct_open), and an error that says why no
+    /// curves through the points agree with it.
+    fn reconstruct_known(
+        &self,
+        points: &PointSet,
+        known: &Known,
+    ) -> Result<EdgeSet, ReconstructError> {
+        if known.is_of_termini_alone() {
+            self.reconstruct_open(points, &known.termini)
+        } else {
+            Err(ReconstructError::KnownNotHonoured {
+                algorithm: self.info().name,
+            })
+        }
+    }
+
     /// The edges of [`reconstruct_open`](Self::reconstruct_open) and the free ends, each with its
     /// reason; `None` by algorithms whose definition is reason enough.
     ///
@@ -54,6 +77,23 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
     ) -> Result<Option<Explanation>, ReconstructError> {
         let _ = (points, termini);
         Ok(None)
+    }
+
+    /// The edges of [`reconstruct_known`](Self::reconstruct_known), each with its reason; `None` by
+    /// algorithms whose definition is reason enough.
+    ///
+    /// # Errors
+    /// Those of [`reconstruct_known`](Self::reconstruct_known).
+    fn explain_known(
+        &self,
+        points: &PointSet,
+        known: &Known,
+    ) -> Result<Option<Explanation>, ReconstructError> {
+        if known.is_of_termini_alone() {
+            self.explain(points, &known.termini)
+        } else {
+            self.reconstruct_known(points, known).map(|_| None)
+        }
     }
 }
 

@@ -31,6 +31,69 @@ pub enum ReconstructError {
         /// Name of the algorithm.
         algorithm: &'static str,
     },
+    /// More than termini is known to an algorithm that cannot use it.
+    #[error(
+        "{algorithm} cannot be told whether curves are closed, nor how many there are: \
+         use an algorithm that can, such as least-detour, or tell nothing"
+    )]
+    KnownNotHonoured {
+        /// Name of the algorithm.
+        algorithm: &'static str,
+    },
+    /// Fewer points than the curves have: a closed one has three or more, an open one two.
+    #[error(
+        "{count} points are too few for {curves} such curves, which have {needed} at least: \
+         give more points, or ask for fewer curves"
+    )]
+    TooFewPoints {
+        /// The number of points.
+        count: usize,
+        /// The number of curves.
+        curves: usize,
+        /// The least number of points of so many curves.
+        needed: usize,
+    },
+    /// All points lie on one line, on which no closed curve can go through them.
+    #[error(
+        "all {count} points lie on one line, so no closed curve goes through them \
+         without meeting itself: ask for open curves"
+    )]
+    ClosedOnALine {
+        /// The number of points.
+        count: usize,
+    },
+    /// Termini of closed curves.
+    #[error(
+        "{termini} points are marked as termini, but closed curves have none: mark none, or ask for open curves"
+    )]
+    TerminiOfClosedCurves {
+        /// The number of termini.
+        termini: usize,
+    },
+    /// More termini than curves have ends.
+    #[error(
+        "{termini} points are marked as termini, but {curves} curves have {} ends: \
+         mark fewer, or ask for more curves",
+        .curves.saturating_mul(2)
+    )]
+    TooManyTermini {
+        /// The number of termini.
+        termini: usize,
+        /// The number of curves.
+        curves: usize,
+    },
+    /// There are enough points for so many closed curves, but none were found: as where many of the
+    /// points lie on one line.
+    #[error(
+        "no {asked} closed curves through all points were found, but {found}: \
+         ask for so many, or give no number"
+    )]
+    CurvesNotFound {
+        /// The number of curves asked for.
+        asked: usize,
+        /// The number of curves found.
+        found: usize,
+    },
     /// Edges have more or fewer vertices than there are points.
     #[error(
         "the edges have {vertices} vertices, but there are {count} points: \

@@ -26,7 +26,7 @@ pub struct ExplainedEdge {
     pub reason: Reason,
     /// By how much the cost would rise by the best exchange that removes the edge: near 0 where
     /// another answer is as good. In the unit of the points. `None` for certified edges, which are
-    /// not exchanged.
+    /// not exchanged, and for required ones.
     pub margin: Option<f64>,
 }
 
@@ -40,6 +40,9 @@ pub enum Reason {
     Completed,
     /// An exchange that lowered the cost added it.
     Exchanged,
+    /// What is [known](crate::known::Known) about the curves requires it: without that, it would not
+    /// be there.
+    Required,
 }
 
 impl Reason {
@@ -50,6 +53,7 @@ impl Reason {
             Self::Certified => "certified",
             Self::Completed => "completed",
             Self::Exchanged => "exchanged",
+            Self::Required => "required",
         }
     }
 }

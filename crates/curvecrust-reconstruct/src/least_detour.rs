@@ -60,6 +60,7 @@ use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
 use crate::hnn_crust::HnnCrust;
+use crate::known::{self, Known};
 use crate::termini;
 use candidates::Candidates;
 use certificates::{CrustGraph, HnnGraph};
@@ -115,6 +116,25 @@ impl Reconstructor for LeastDetour {
     ) -> Result<EdgeSet, ReconstructError> {
         termini::check(points, termini)?;
         Ok(Solver::solve(points, termini, |solved| solved.edges()))
+    }
+
+    /// See [`known`](mod@crate::known) for how.
+    fn reconstruct_known(
+        &self,
+        points: &PointSet,
+        known: &Known,
+    ) -> Result<EdgeSet, ReconstructError> {
+        known::reconstruct(self, points, known)
+    }
+
+    /// Edges that it would not have without what is known are there since that is known:
+    /// [`Reason::Required`](crate::explanation::Reason::Required). Always `Some`.
+    fn explain_known(
+        &self,
+        points: &PointSet,
+        known: &Known,
+    ) -> Result<Option<Explanation>, ReconstructError> {
+        known::explain(self, points, known)
     }
 
     /// Always `Some`.

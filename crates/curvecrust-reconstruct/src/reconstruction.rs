@@ -5,6 +5,7 @@ use curvecrust_geometry::{Chain, EdgeSet, PointId, PointSet};
 
 use crate::algorithm::Reconstructor;
 use crate::error::ReconstructError;
+use crate::known::Known;
 use crate::rings::{Surroundings, is_clockwise};
 
 /// Edges between points, and the curves that they form.
@@ -61,6 +62,19 @@ impl Reconstruction {
     #[must_use]
     pub fn by(algorithm: &dyn Reconstructor, points: &PointSet) -> Self {
         Self::of_valid(points, algorithm.reconstruct(points))
+    }
+
+    /// Reconstructs the points by an algorithm that is told what is known about the curves.
+    ///
+    /// # Errors
+    /// Those of [`Reconstructor::reconstruct_known`].
+    pub fn by_known(
+        algorithm: &dyn Reconstructor,
+        points: &PointSet,
+        known: &Known,
+    ) -> Result<Self, ReconstructError> {
+        let edges = algorithm.reconstruct_known(points, known)?;
+        Ok(Self::of_valid(points, edges))
     }
 
     /// Orders the edges between points into curves, in O(n log n) unless rings are deeply nested.

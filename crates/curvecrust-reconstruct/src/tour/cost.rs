@@ -1,0 +1,109 @@
+//! What a tour costs: the lengths of its edges and the detours at its points, but for its gaps.
+
+use curvecrust_geometry::DVec2;
+
+use super::Task;
+
+/// The cost of a tour through points and gaps: the lengths of its edges, and at each point v between p
+/// and q the detour |vp| + |vq| - |pq|, as for [least detour](mod@crate::least_detour).
+///
+/// A gap is a vertex without a place. It lies between the end of an open curve and the start of the
+/// next, so a step to it costs nothing. What must not be (gaps next to each other, a curve of one
+/// point, a terminus inside a curve) costs more than any exchange of edges can gain.
+pub(super) struct Cost<'a> {
+    points: &'a [DVec2],
+    gaps: usize,
+    is_terminus: &'a [bool],
+    /// Whether points that are no termini may be next to a gap.
+    has_free_ends: bool,
+    /// The cost of what must not be.
+    forbidden: f64,
+}
+
+impl<'a> Cost<'a> {
+    pub(super) fn new(points: &'a [DVec2], task: &'a Task) -> Self {
+        let low = points
+            .iter()
+            .copied()
+            .reduce(DVec2::min)
+            .unwrap_or_default();
+        let high = points
+            .iter()
+            .copied()
+            .reduce(DVec2::max)
+            .unwrap_or_default();
+        let termini = task.is_terminus.iter().filter(|&&t| t).count();
+        Self {
+            points,
+            gaps: task.gaps,
+            is_terminus: &task.is_terminus,
+            has_free_ends: termini < 2 * task.gaps,
+            // An exchange changes a dozen edges at most.
+            forbidden: 64.0 * (high - low).length(),
+        }
+    }
+
+    pub(super) fn points(&self) -> &'a [DVec2] {
+        self.points
+    }
+
+    pub(super) fn is_gap(&self, v: u32) -> bool {
+        v as usize >= self.points.len()
+    }
+
+    /// The gaps.
+    pub(super) fn gaps(&self) -> impl Iterator<Item = u32> + use<> {
+        let (points, gaps) = (self.points.len(), self.gaps);
+        (0u32..).skip(points).take(gaps)
+    }
+
+    pub(super) fn is_terminus(&self, v: u32) -> bool {
+        self.is_terminus.get(v as usize).is_some_and(|&t| t)
+    }
+
+    /// Whether a point may be the end of an open curve.
+    pub(super) fn may_be_end(&self, v: u32) -> bool {
+        self.has_free_ends || self.is_terminus(v)
+    }
+
+    /// The cost of an edge.
+    pub(super) fn edge(&self, v: u32, w: u32) -> f64 {
+        match [v, w].map(|v| self.points.get(v as usize)) {
+            [Some(p), Some(q)] => p.distance(*q),
+            [None, None] => self.forbidden,
+            [Some(_), None] => self.end(v),
+            [None, Some(_)] => self.end(w),
+        }
+    }
+
+    /// The cost of a point next to a gap: a terminus gains by it.
+    fn end(&self, v: u32) -> f64 {
+        if self.is_terminus(v) {
+            -self.forbidden
+        } else if self.has_free_ends {
+            0.0
+        } else {
+            self.forbidden
+        }
+    }
+
+    /// The cost of a vertex between two others: a detour, but beside gaps.
+    pub(super) fn vertex(&self, v: u32, p: u32, q: u32) -> f64 {
+        match [v, p, q].map(|v| self.points.get(v as usize)) {
+            [Some(&v), Some(&p), Some(&q)] => detour(v, p, q),
+            // A curve of one point.
+            [Some(_), None, None] => 4.0 * self.forbidden,
+            _ => 0.0,
+        }
+    }
+}
+
+/// How much longer the way from p to q is by way of v: |vp| + |vq| - |pq|.
+///
+/// In a form whose error is relative to the shorter of |vp| and |vq|.
+fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
+    let (a, b) = (p - v, q - v);
+    let (a_length, b_length) = (a.length(), b.length());
+    let around = a_length + b_length + p.distance(q);
+    (2.0 * (a_length * b_length + a.dot(b)) / around).max(0.0)
+}
