@@ -1,7 +1,9 @@
 //! The arguments as they were typed. Commands make jobs of them, and never look at them again.
 
+mod known;
 mod values;
 
+pub(crate) use known::Known;
 pub(crate) use values::{Algorithm, Corners, Count, Distance};
 
 use crate::format::Format;
@@ -75,8 +77,11 @@ pub(crate) struct Sample {
 /// Find the curves that points were sampled from
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-Example: find the curves of a point file and look at them
-  curvecrust reconstruct points.csv -o found.svg")]
+Examples: find the curves of a point file and look at them; the outline through all points of another;
+the points of a third sorted along a line
+  curvecrust reconstruct points.csv -o found.svg
+  curvecrust reconstruct outline.csv --closed --curves 1 -o outline.svg
+  curvecrust reconstruct track.csv --open --curves 1 -o sorted.csv")]
 pub(crate) struct Reconstruct {
     #[command(flatten)]
     pub(crate) points: Points,
@@ -308,14 +313,6 @@ pub(crate) struct Reading {
     /// Take equal points for one, instead of refusing them
     #[arg(long, requires = "points")]
     pub(crate) merge_duplicates: bool,
-}
-
-/// What is known about the curves beside the points.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Known {
-    /// The point at this position of the input, counted from 0, is the end of an open curve
-    #[arg(long, value_name = "N")]
-    pub(crate) terminus: Vec<u32>,
 }
 
 /// Where a result goes.

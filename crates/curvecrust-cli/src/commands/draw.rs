@@ -11,7 +11,7 @@ use anyhow::ensure;
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
-use curvecrust::reconstruct::{Explanation, HnnCrust, Reconstruction};
+use curvecrust::reconstruct::{Explanation, HnnCrust, Known, Reconstruction};
 
 /// What is drawn, and where the picture goes.
 #[derive(Debug)]
@@ -141,7 +141,7 @@ impl PointLayers {
         let algorithm = self.edges.unwrap_or(&HnnCrust::MUTUAL);
         let (edges, why) = console.during("reconstructing", |_| {
             if self.why {
-                reconstruct::explained(algorithm, points, &[])
+                reconstruct::explained(algorithm, points, &Known::default())
             } else {
                 Ok((algorithm.reconstruct(points), None))
             }

@@ -7,12 +7,12 @@ mod why;
 
 use super::Outcome;
 use super::bare_points::{BarePoints, PointSource};
-use crate::args::{self, Algorithm, Known};
+use crate::args::{self, Algorithm};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results, npy};
-use curvecrust::geometry::{EdgeSet, PointId, PointSet};
-use curvecrust::reconstruct::{Explanation, ReconstructError, Reconstruction};
+use curvecrust::geometry::{EdgeSet, PointSet};
+use curvecrust::reconstruct::{Explanation, Known, ReconstructError, Reconstruction, Shape};
 use result::Found;
 pub(crate) use result::paths;
 use summary::Summary;
@@ -33,7 +33,7 @@ const FORMATS: &[Format] = &[
 pub(crate) struct Job {
     points: PointSource,
     algorithm: Algorithm,
-    known: Known,
+    known: args::Known,
     results: Results,
 }
 
@@ -49,20 +49,19 @@ impl Job {
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
         let bare = self.points.read(console)?;
-        let termini = self.known.terminus.iter().map(|&row| bare.point(row));
-        let termini: Vec<PointId> = termini.collect::<Result<_, _>>()?;
+        let known = known(&self.known, &bare)?;
         // Objects alone have room for reasons, which take longer to find than the edges.
         let with_reasons = self.results.json || self.results.writes(Format::Json);
         let (edges, why) = console.during("reconstructing", |_| {
             if with_reasons {
-                explained(self.algorithm, &bare.points, &termini)
+                explained(self.algorithm, &bare.points, &known)
             } else {
-                let edges = self.algorithm.reconstruct_open(&bare.points, &termini)?;
+                let edges = self.algorithm.reconstruct_known(&bare.points, &known)?;
                 Ok((edges, None))
             }
         })?;
-        let summary = Summary::new(&bare, &edges, &termini);
-        console.during("writing", |_| self.write(&bare, edges, why))?;
+        let summary = Summary::new(&bare, &edges, &known.termini);
+        console.during("writing", |_| self.write(&bare, &known, edges, why))?;
         console.note(summary);
         Ok(Outcome::Fine)
     }
@@ -70,6 +69,7 @@ impl Job {
     fn write(
         &self,
         bare: &BarePoints,
+        known: &Known,
         edges: EdgeSet,
         why: Option<Explanation>,
     ) -> anyhow::Result<()> {
@@ -86,6 +86,7 @@ impl Job {
         let found = Found {
             algorithm: self.algorithm.info().name,
             bare,
+            known,
             curves: Reconstruction::new(&bare.points, edges)?,
             why,
         };
@@ -96,15 +97,29 @@ impl Job {
     }
 }
 
+/// What the user knows, in terms of the points.
+fn known(args: &args::Known, bare: &BarePoints) -> anyhow::Result<Known> {
+    let termini = args.terminus.iter().map(|&row| bare.point(row));
+    Ok(Known {
+        shape: match (args.closed, args.open) {
+            (true, _) => Some(Shape::Closed),
+            (_, true) => Some(Shape::Open),
+            _ => None,
+        },
+        curves: args.curves,
+        termini: termini.collect::<Result<_, _>>()?,
+    })
+}
+
 /// The edges, with reasons by algorithms that give some.
 pub(crate) fn explained(
     algorithm: Algorithm,
     points: &PointSet,
-    termini: &[PointId],
+    known: &Known,
 ) -> Result<(EdgeSet, Option<Explanation>), ReconstructError> {
-    match algorithm.explain(points, termini)? {
+    match algorithm.explain_known(points, known)? {
         Some(why) => Ok((why.edge_set(points.len()), Some(why))),
-        None => Ok((algorithm.reconstruct_open(points, termini)?, None)),
+        None => Ok((algorithm.reconstruct_known(points, known)?, None)),
     }
 }
 

@@ -47,6 +47,55 @@ fn termini_open_a_ring() {
 }
 
 #[test]
+fn what_is_known_is_kept() {
+    // A long rectangle by its corners: told nothing, no ring.
+    let folder = Folder::with("corners.xy", "0 0\n9 0\n9 1\n0 1\n");
+    let run = folder.run("reconstruct corners.xy --closed --curves 1 --json");
+    let found = json(&run.fine());
+    assert_eq!(found["edges"], json!([[0, 1], [0, 3], [1, 2], [2, 3]]));
+    assert_eq!(
+        found["known"],
+        json!({"shape": "closed", "curves": 1, "termini": []})
+    );
+    let run = folder.run("reconstruct corners.xy --open --curves 1 --terminus 1 --terminus 0");
+    assert!(
+        run.stderr.contains("1 chain, 0 rings, 2 leaves"),
+        "{}",
+        run.stderr
+    );
+    let told_nothing = json(&folder.run("reconstruct corners.xy --json").fine());
+    assert!(told_nothing.get("known").is_none());
+}
+
+#[test]
+fn what_cannot_be_met_is_an_error_of_one_line() {
+    let folder = Folder::with("row.xy", "0 0\n1 1\n2 2\n5 5\n");
+    for (told, start) in [
+        ("--closed", "error: all 4 points lie on one line"),
+        (
+            "--closed --curves 2",
+            "error: 4 points are too few for 2 such curves",
+        ),
+        (
+            "--curves 3",
+            "error: 4 points are too few for 3 such curves",
+        ),
+        (
+            "--curves 1 --algorithm crust",
+            "error: crust cannot be told whether curves are closed",
+        ),
+        (
+            "--curves 1 --terminus 0 --terminus 1 --terminus 2",
+            "error: 3 points are marked as termini, but 1 curves have 2 ends",
+        ),
+    ] {
+        let error = folder.run(&format!("reconstruct row.xy {told}")).error();
+        assert!(error.starts_with(start), "{error}");
+        assert_eq!(error.lines().count(), 1);
+    }
+}
+
+#[test]
 fn duplicates_are_refused_or_merged_and_points_keep_their_numbers() {
     let folder = Folder::with("twice.xy", format!("0 0\n{RECTANGLE}"));
     let refused = folder.run("reconstruct twice.xy").error();

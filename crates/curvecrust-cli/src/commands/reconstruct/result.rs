@@ -5,15 +5,19 @@ use super::polygons::{Ring, rings};
 use super::why;
 use crate::output::{Feature, Number, Path, Places, Shape, Streamed};
 use curvecrust::geometry::{Chain, PointId, PointSet};
-use curvecrust::reconstruct::{Explanation, NestedChain, Reconstruction};
+use curvecrust::reconstruct::{
+    Explanation, Known, NestedChain, Reconstruction, Shape as KnownShape,
+};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::io::{self, Write};
+use std::num::NonZeroU32;
 
 /// What was found, in terms of the rows of the input.
 pub(super) struct Found<'a> {
     pub(super) algorithm: &'a str,
     pub(super) bare: &'a BarePoints,
+    pub(super) known: &'a Known,
     pub(super) curves: Reconstruction,
     /// By algorithms that give reasons.
     pub(super) why: Option<Explanation>,
@@ -48,6 +52,14 @@ struct RingObject<'a> {
     nesting: u32,
 }
 
+/// What the user told.
+#[derive(serde::Serialize)]
+struct KnownObject<'a> {
+    shape: Option<&'static str>,
+    curves: Option<NonZeroU32>,
+    termini: Rows<'a>,
+}
+
 #[derive(serde::Serialize)]
 struct Duplicate {
     point: u32,
@@ -77,6 +89,17 @@ impl Serialize for Found<'_> {
         };
         let mut object = serializer.serialize_map(None)?;
         object.serialize_entry("algorithm", self.algorithm)?;
+        if *self.known != Known::default() {
+            let known = KnownObject {
+                shape: self.known.shape.map(|shape| match shape {
+                    KnownShape::Closed => "closed",
+                    KnownShape::Open => "open",
+                }),
+                curves: self.known.curves,
+                termini: self.rows(&self.known.termini),
+            };
+            object.serialize_entry("known", &known)?;
+        }
         let points = Streamed(|| self.bare.rows().map(|p| p.to_array()));
         object.serialize_entry("points", &points)?;
         object.serialize_entry("edges", &Streamed(edges))?;

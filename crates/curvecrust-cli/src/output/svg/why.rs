@@ -24,6 +24,7 @@ pub(super) fn write(
         (Reason::Certified, "#b3150d", 2.0),
         (Reason::Completed, "#3d85d0", 3.5),
         (Reason::Exchanged, "#e07b00", 5.0),
+        (Reason::Required, "#2c8a3d", 5.0),
     ] {
         let edges = explanation.edges.iter().filter(|e| e.reason == reason);
         let style = format!(

@@ -1,0 +1,20 @@
+//! What the user knows, as it was typed.
+
+use std::num::NonZeroU32;
+
+/// What the user knows about the curves.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Known {
+    /// No curve ends: every point has two partners
+    #[arg(long)]
+    pub(crate) closed: bool,
+    /// No curve is closed; with `--curves 1`, points are sorted along a line
+    #[arg(long, conflicts_with = "closed")]
+    pub(crate) open: bool,
+    /// So many curves go through all points; one closed curve is a simple polygon
+    #[arg(long, value_name = "N")]
+    pub(crate) curves: Option<NonZeroU32>,
+    /// The point at this position of the input, counted from 0, is the end of an open curve
+    #[arg(long, value_name = "N")]
+    pub(crate) terminus: Vec<u32>,
+}
