@@ -126,10 +126,57 @@ impl Best {
     }
 }
 
+/// The points that will be asked for lie in this disc.
+#[derive(Clone, Copy)]
+struct Disc {
+    centre: DVec2,
+    radius: f64,
+}
+
+impl Disc {
+    const PLANE: Self = Self {
+        centre: DVec2::ZERO,
+        radius: f64::INFINITY,
+    };
+
+    /// The part of a segment that holds its closest points to all points of the disc: the closest
+    /// points to two points are no farther apart than these are.
+    fn part_of(self, segment: Segment) -> Segment {
+        // More than rounding may move a closest point.
+        let radius = self.radius * (1.0 + 1e-9);
+        if segment.length() <= radius {
+            return segment;
+        }
+        let closest = segment.closest_point(self.centre);
+        let cut = |end: DVec2| {
+            if end.distance(closest) <= radius {
+                end
+            } else {
+                closest + (end - closest).normalize_or_zero() * radius
+            }
+        };
+        Segment::new(cut(segment.a), cut(segment.b))
+    }
+}
+
 impl SegmentTree {
     /// Builds the tree.
     #[must_use]
     pub fn new(segments: impl IntoIterator<Item = Segment>) -> Self {
+        Self::for_queries_in(Disc::PLANE, segments)
+    }
+
+    /// Builds the tree for queries no farther than `radius` from `centre`; of others the answer is
+    /// some segment, not always the nearest.
+    ///
+    /// For segments that run far out of where the queries are: as wholes they would fill boxes that
+    /// overlap everywhere.
+    #[must_use]
+    pub fn near(centre: DVec2, radius: f64, segments: impl IntoIterator<Item = Segment>) -> Self {
+        Self::for_queries_in(Disc { centre, radius }, segments)
+    }
+
+    fn for_queries_in(queries: Disc, segments: impl IntoIterator<Item = Segment>) -> Self {
         let segments: Vec<Segment> = segments.into_iter().collect();
         let depth = segments
             .len()
@@ -141,7 +188,7 @@ impl SegmentTree {
             boxes: vec![Rectangle::EMPTY; (2 << depth) - 1],
             segments,
         };
-        build(&mut tree.segments, &mut tree.boxes, 0);
+        build(queries, &mut tree.segments, &mut tree.boxes, 0);
         tree
     }
 
@@ -192,16 +239,21 @@ impl SegmentTree {
 }
 
 /// Orders the segments of a node for its descendants, and fills in their boxes.
-fn build(segments: &mut [Segment], boxes: &mut [Rectangle], node: usize) {
+fn build(queries: Disc, segments: &mut [Segment], boxes: &mut [Rectangle], node: usize) {
     if 2 * node + 2 >= boxes.len() {
         let mut ends = [DVec2::ZERO; 2 * LEAF];
-        for (ends, s) in ends.chunks_exact_mut(2).zip(&*segments) {
-            ends.copy_from_slice(&[s.a, s.b]);
+        for (ends, &segment) in ends.chunks_exact_mut(2).zip(&*segments) {
+            let part = queries.part_of(segment);
+            ends.copy_from_slice(&[part.a, part.b]);
         }
         boxes[node] = Rectangle::around(&ends[..2 * segments.len()]);
         return;
     }
     let middle = segments.len() / 2;
+    let twice_midpoint = |segment: &Segment| {
+        let part = queries.part_of(*segment);
+        part.a + part.b
+    };
     let (low, high) = segments
         .iter()
         .map(twice_midpoint)
@@ -217,18 +269,14 @@ fn build(segments: &mut [Segment], boxes: &mut [Rectangle], node: usize) {
         segments.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
     }
     let (before, after) = segments.split_at_mut(middle);
-    build(before, boxes, 2 * node + 1);
-    build(after, boxes, 2 * node + 2);
+    build(queries, before, boxes, 2 * node + 1);
+    build(queries, after, boxes, 2 * node + 2);
     let halves = [boxes[2 * node + 1], boxes[2 * node + 2]];
     let corners = halves.map(|half| half.corners());
     // With fewer segments than leaves, the first half is empty more often.
     let from = if before.is_empty() { 1 } else { 0 };
     let to = if after.is_empty() { 1 } else { 2 };
     boxes[node] = Rectangle::around(corners[from.min(to)..to].as_flattened());
-}
-
-fn twice_midpoint(s: &Segment) -> DVec2 {
-    s.a + s.b
 }
 
 #[cfg(test)]
@@ -239,7 +287,56 @@ mod tests {
     )]
 
     use super::*;
+    use crate::Random;
     use proptest::prelude::*;
+
+    #[test]
+    fn parts_hold_all_closest_points_to_a_disc() {
+        let mut random = Random::new(1);
+        let mut at = |size: f64| {
+            let unit = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            unit * size
+        };
+        for _ in 0..1_000 {
+            let disc = Disc {
+                centre: at(1.0),
+                radius: at(1.0).length(),
+            };
+            for size in [1.0, 1e3, 1e20] {
+                let segment = Segment::new(at(1.0), at(size));
+                let part = disc.part_of(segment);
+                assert!(part.length() <= disc.radius * (2.0 + 1e-8) || part == segment);
+                let p = disc.centre + at(1.0).normalize() * disc.radius;
+                let closest = segment.closest_point(p);
+                assert!(part.distance(closest) < 1e-12, "{segment:?} {part:?} {p}");
+            }
+        }
+    }
+
+    /// The axis of a wave: rays from between its crests, to Voronoi vertices that rounding puts
+    /// anywhere far out. As wholes, each of them was looked at for every query.
+    #[test]
+    fn far_ends_do_not_make_boxes_overlap() {
+        let count = 2_000;
+        let ray = |i: u32| {
+            let start = DVec2::new(f64::from(i) / f64::from(count), 0.5);
+            let length = 10f64.powi(14 + i32::try_from(i * 7 % 5).unwrap());
+            let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+            Segment::new(start, start + DVec2::new(0.0, sense * length))
+        };
+        let rays: Vec<Segment> = (0..count).map(ray).collect();
+        let tree = SegmentTree::near(DVec2::splat(0.5), 0.75, rays);
+        for i in (0..count).step_by(50) {
+            let p = DVec2::new((f64::from(i) + 0.4) / f64::from(count), 0.5);
+            let (_, distance) = tree.nearest(p).unwrap();
+            let squared = distance * distance;
+            let looked_at = tree
+                .boxes
+                .iter()
+                .filter(|b| b.distance_squared(p) < squared);
+            assert!(looked_at.count() < 60, "of {}", tree.boxes.len());
+        }
+    }
 
     proptest! {
         #[test]
@@ -256,10 +353,12 @@ mod tests {
             };
             let segments: Vec<Segment> = ends.iter().enumerate().map(segment).collect();
             let tree = SegmentTree::new(segments.iter().copied());
+            let cut = SegmentTree::near(DVec2::new(0.1, 0.2), 3.2, segments.iter().copied());
             for q in queries {
                 let p = DVec2::from_array(q);
                 let least = segments.iter().map(|s| s.distance(p)).min_by(f64::total_cmp);
                 prop_assert_eq!(tree.nearest(p).map(|found| found.1), least);
+                prop_assert_eq!(cut.nearest(p).map(|found| found.1), least);
                 for &near in segments.iter().take(3) {
                     let found = tree.nearest_after(p, near);
                     prop_assert_eq!(found.map(|found| found.1), least);

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use curvecrust_curve::DenseCurve;
-use curvecrust_geometry::SegmentTree;
+use curvecrust_geometry::{DVec2, SegmentTree};
 use rayon::prelude::*;
 
 use crate::axis::MedialAxis;
@@ -27,7 +27,10 @@ impl LocalFeatureSize {
     #[must_use]
     pub fn new(dense: &DenseCurve, axis: &MedialAxis) -> Self {
         let (to_unit, edges) = axis.in_unit_box();
-        let tree = SegmentTree::new(edges.iter().map(|edge| edge.segment));
+        // Pieces of the axis run far out of the box of the curve, some 10^20 times as far.
+        let points = dense.points().iter().map(|&p| to_unit.apply(p));
+        let (centre, radius) = disc_around(points);
+        let tree = SegmentTree::near(centre, radius, edges.iter().map(|edge| edge.segment));
         // In curve order, each query starts from the answer to the one before. Chunks of a fixed
         // size, so that the number of threads changes nothing.
         let mut values = vec![f64::INFINITY; dense.len()];
@@ -128,6 +131,13 @@ impl LocalFeatureSize {
         }
         least
     }
+}
+
+/// The centre and the radius of the circle about the box of some points.
+fn disc_around(points: impl Iterator<Item = DVec2>) -> (DVec2, f64) {
+    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let (low, high) = points.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+    (low.midpoint(high), low.distance(high) / 2.0)
 }
 
 #[cfg(test)]
