@@ -235,5 +235,25 @@ mod tests {
             covered.sort_unstable();
             prop_assert_eq!(covered, set.edges());
         }
+
+        #[test]
+        fn reversed_chains_have_the_same_edges_the_other_way(
+            count in 1u32..9,
+            closed in any::<bool>(),
+        ) {
+            let closed = closed && count > 2;
+            let steps = if closed { count } else { count - 1 };
+            let edges: Vec<_> = (0..steps).map(|i| (i, (i + 1) % count)).collect();
+            for chain in set(9, &edges).chains() {
+                let reversed = chain.clone().reversed();
+                let first = if closed { chain.vertices()[0] } else { chain.vertices()[count as usize - 1] };
+                prop_assert_eq!(reversed.vertices()[0], first);
+                let other_way: Vec<Edge> = reversed.edges().collect();
+                let mut edges: Vec<Edge> = chain.edges().collect();
+                edges.reverse();
+                prop_assert_eq!(other_way, edges);
+                prop_assert_eq!(reversed.reversed(), chain);
+            }
+        }
     }
 }

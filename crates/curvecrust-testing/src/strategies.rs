@@ -49,6 +49,34 @@ fn circles() -> impl Strategy<Value = Vec<DVec2>> {
     vec(circle, 1..=3).prop_map(|circles| circles.concat())
 }
 
+/// One to four rows of points with the same turn from step to step, which end in the open; and up to
+/// three points beside them. Of some rows all steps are equal, of others they are shorter by up to
+/// 60 %.
+pub fn even_runs() -> impl Strategy<Value = Vec<DVec2>> {
+    let shortening = prop::sample::select(vec![0.0, 0.05, 0.3, 0.6]);
+    let row = (
+        (-4.0..4.0, -4.0..4.0, 0.0..std::f64::consts::TAU, -0.4..0.4),
+        0.3..0.8,
+        shortening,
+        vec(0.0..1.0, 5..14),
+    );
+    let rows = row.prop_map(|((x, y, mut angle, turn), step, shortening, steps)| {
+        let mut at = DVec2::new(x, y);
+        let mut points = vec![at];
+        for share in steps {
+            at += DVec2::from_angle(angle) * step * (1.0 - shortening * share);
+            angle += turn;
+            points.push(at);
+        }
+        points
+    });
+    let beside = (-5.0..5.0, -5.0..5.0).prop_map(DVec2::from);
+    (vec(rows, 1..=4), vec(beside, 0..=3)).prop_map(|(rows, beside)| {
+        let all = rows.concat().into_iter().chain(beside);
+        all.map(|p| rounded(p, 50)).collect()
+    })
+}
+
 /// Points at whole numbers of steps on a line.
 fn collinear() -> impl Strategy<Value = Vec<DVec2>> {
     let small = || (-9..=9i32).prop_map(f64::from);

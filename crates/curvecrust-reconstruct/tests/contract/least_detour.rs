@@ -3,7 +3,7 @@
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
-use curvecrust_testing::strategies::{any_points, point_set, uniform};
+use curvecrust_testing::strategies::{any_points, even_runs, point_set, uniform};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -48,17 +48,17 @@ fn the_method_lists_every_constant() {
 }
 
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
-struct Definition<'a> {
+pub(crate) struct Definition<'a> {
     points: &'a PointSet,
     /// Delaunay edges whose dual is longer than a point.
-    candidates: EdgeSet,
+    pub(crate) candidates: EdgeSet,
     hnn: EdgeSet,
     crust: EdgeSet,
     /// Of one free end of each point, and of both.
     penalties: Vec<[f64; 2]>,
 }
 
-fn partners(edges: &EdgeSet, v: PointId) -> Vec<PointId> {
+pub(crate) fn partners(edges: &EdgeSet, v: PointId) -> Vec<PointId> {
     let at = edges.edges().iter().filter(|e| e.ends().contains(&v));
     at.map(|e| if e.a() == v { e.b() } else { e.a() }).collect()
 }
@@ -81,7 +81,7 @@ fn may_be_consecutive(v: DVec2, p: DVec2, q: DVec2) -> bool {
 }
 
 impl<'a> Definition<'a> {
-    fn new(points: &'a PointSet) -> Self {
+    pub(crate) fn new(points: &'a PointSet) -> Self {
         let pairs = points.ids().flat_map(|p| points.ids().map(move |q| (p, q)));
         let candidates =
             pairs.filter(|&(p, q)| p < q && oracles::voronoi_edge(points, p, q).is_some());
@@ -154,7 +154,7 @@ impl<'a> Definition<'a> {
     }
 
     /// The spacing of the even run that ends at a point.
-    fn run_ending_at(&self, v: PointId) -> Option<f64> {
+    pub(crate) fn run_ending_at(&self, v: PointId) -> Option<f64> {
         let mut runs = partners(&self.hnn, v);
         runs.retain(|&w| self.spacing_of_run(v, w).is_some());
         let [previous] = runs[..] else { return None };
@@ -232,12 +232,12 @@ impl<'a> Definition<'a> {
             && Self::continues(self.points, &self.hnn, [v, w], is_straight)
     }
 
-    fn certified(&self) -> impl Iterator<Item = Edge> + '_ {
+    pub(crate) fn certified(&self) -> impl Iterator<Item = Edge> + '_ {
         let edges = self.hnn.edges().iter().copied();
         edges.filter(|e| self.is_certified(e.a(), e.b()))
     }
 
-    fn cost(&self, edges: &EdgeSet) -> f64 {
+    pub(crate) fn cost(&self, edges: &EdgeSet) -> f64 {
         let lengths = edges.edges().iter().map(|e| {
             let [p, q] = e.ends().map(|id| self.points[id]);
             p.distance(q)
@@ -255,7 +255,7 @@ impl<'a> Definition<'a> {
         }
     }
 
-    fn has_triangle(edges: &EdgeSet) -> bool {
+    pub(crate) fn has_triangle(edges: &EdgeSet) -> bool {
         let rings = edges.chains();
         rings
             .iter()
@@ -296,7 +296,7 @@ pub(crate) fn fault(points: &PointSet, edges: &EdgeSet) -> Option<String> {
 }
 
 /// The least cost of all triangle-free 2-matchings with the certified edges, by trying all.
-struct Exhaustive<'a> {
+pub(crate) struct Exhaustive<'a> {
     definition: &'a Definition<'a>,
     partners: Vec<Vec<PointId>>,
     least: f64,
@@ -305,6 +305,15 @@ struct Exhaustive<'a> {
 impl<'a> Exhaustive<'a> {
     /// Given the cost of one of them.
     fn least_cost(definition: &'a Definition<'a>, known: f64) -> f64 {
+        Self::least_cost_of(definition, known, |_| true)
+    }
+
+    /// That of those which `may_be`, where it is below a `known` one: else the known one.
+    pub(crate) fn least_cost_of(
+        definition: &'a Definition<'a>,
+        known: f64,
+        may_be: impl Fn(&[Vec<PointId>]) -> bool,
+    ) -> f64 {
         let mut search = Self {
             definition,
             partners: vec![Vec::new(); definition.points.len()],
@@ -314,7 +323,7 @@ impl<'a> Exhaustive<'a> {
         let certified_cost = certified.iter().map(|&e| search.add(e)).sum();
         let candidates = definition.candidates.edges().iter().copied();
         let rest: Vec<Edge> = candidates.filter(|e| !certified.contains(e)).collect();
-        search.with_or_without(&rest, certified_cost);
+        search.with_or_without(&rest, certified_cost, &may_be);
         search.least
     }
 
@@ -332,12 +341,20 @@ impl<'a> Exhaustive<'a> {
         cost
     }
 
-    fn with_or_without(&mut self, rest: &[Edge], cost: f64) {
+    fn with_or_without(
+        &mut self,
+        rest: &[Edge],
+        cost: f64,
+        may_be: &impl Fn(&[Vec<PointId>]) -> bool,
+    ) {
         // What the edges cost so far, they cost whatever follows.
         if cost >= self.least {
             return;
         }
         let Some((&edge, rest)) = rest.split_first() else {
+            if !may_be(&self.partners) {
+                return;
+            }
             let all = self.definition.points.ids().zip(&self.partners);
             let free = all.filter(|(_, partners)| partners.len() < 2);
             let penalties = free.map(|(v, partners)| self.definition.cost_at(v, partners));
@@ -347,12 +364,12 @@ impl<'a> Exhaustive<'a> {
         let [a, b] = edge.ends().map(|v| &self.partners[v.index()]);
         if a.len() < 2 && b.len() < 2 && !a.iter().any(|v| b.contains(v)) {
             let added = self.add(edge);
-            self.with_or_without(rest, cost + added);
+            self.with_or_without(rest, cost + added, may_be);
             for v in edge.ends() {
                 self.partners[v.index()].pop();
             }
         }
-        self.with_or_without(rest, cost);
+        self.with_or_without(rest, cost, may_be);
     }
 }
 
@@ -471,34 +488,50 @@ fn an_outlier_is_left_alone() {
     assert!(edges.isolated().is_empty());
 }
 
+/// Each edge and each free end is explained as the definition has it.
+fn explained_as_defined(points: &PointSet) -> Result<(), TestCaseError> {
+    let definition = Definition::new(points);
+    let edges = LeastDetour.reconstruct(points);
+    let why = LeastDetour.explain(points, &[]).unwrap().unwrap();
+    let explained: Vec<Edge> = why.edges.iter().map(|e| e.edge).collect();
+    prop_assert_eq!(&explained[..], edges.edges());
+    let certified: Vec<Edge> = definition.certified().collect();
+    for explained in &why.edges {
+        let is_certified = certified.contains(&explained.edge);
+        prop_assert_eq!(explained.reason == Reason::Certified, is_certified);
+        prop_assert!(!is_certified || explained.margin.is_none());
+        prop_assert!(explained.margin.is_none_or(|margin| margin >= 0.0));
+    }
+    let free: Vec<_> = why
+        .free_ends
+        .iter()
+        .map(|end| (end.point, usize::from(end.count)))
+        .collect();
+    let expected = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
+    prop_assert_eq!(free, expected.filter(|s| s.1 > 0).collect::<Vec<_>>());
+    for end in &why.free_ends {
+        let penalty = definition.penalties[end.point.index()][usize::from(end.count) - 1];
+        prop_assert!((end.penalty - penalty).abs() <= 1e-9 * penalty);
+        let Some(rejected) = end.rejected else {
+            continue;
+        };
+        let joined = Edge::new(end.point, rejected.partner).unwrap();
+        prop_assert!(definition.candidates.contains(joined) && !edges.contains(joined));
+        prop_assert!(rejected.cost >= 0.0);
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
     fn what_is_explained_is_what_is_returned(points in any_points()) {
-        let definition = Definition::new(&points);
-        let edges = LeastDetour.reconstruct(&points);
-        let why = LeastDetour.explain(&points, &[]).unwrap().unwrap();
-        let explained: Vec<Edge> = why.edges.iter().map(|e| e.edge).collect();
-        prop_assert_eq!(&explained[..], edges.edges());
-        let certified: Vec<Edge> = definition.certified().collect();
-        for explained in &why.edges {
-            let is_certified = certified.contains(&explained.edge);
-            prop_assert_eq!(explained.reason == Reason::Certified, is_certified);
-            prop_assert!(!is_certified || explained.margin.is_none());
-            prop_assert!(explained.margin.is_none_or(|margin| margin >= 0.0));
-        }
-        let free = why.free_ends.iter().map(|end| (end.point, usize::from(end.count)));
-        let free: Vec<_> = free.collect();
-        let expected = points.ids().map(|v| (v, 2 - partners(&edges, v).len()));
-        prop_assert_eq!(free, expected.filter(|s| s.1 > 0).collect::<Vec<_>>());
-        for end in &why.free_ends {
-            let penalty = definition.penalties[end.point.index()][usize::from(end.count) - 1];
-            prop_assert!((end.penalty - penalty).abs() <= 1e-9 * penalty);
-            let Some(rejected) = end.rejected else { continue };
-            let joined = Edge::new(end.point, rejected.partner).unwrap();
-            prop_assert!(definition.candidates.contains(joined) && !edges.contains(joined));
-            prop_assert!(rejected.cost >= 0.0);
-        }
+        explained_as_defined(&points)?;
+    }
+
+    #[test]
+    fn ends_of_even_runs_are_explained_as_defined(points in even_runs().prop_map(point_set)) {
+        explained_as_defined(&points)?;
     }
 }

@@ -8,6 +8,7 @@
 
 mod exact;
 mod least_detour;
+mod least_detour_search;
 mod oracles;
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError};
