@@ -321,7 +321,7 @@ mod tests {
         let ray = |i: u32| {
             let start = DVec2::new(f64::from(i) / f64::from(count), 0.5);
             let length = 10f64.powi(14 + i32::try_from(i * 7 % 5).unwrap());
-            let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+            let sense = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
             Segment::new(start, start + DVec2::new(0.0, sense * length))
         };
         let rays: Vec<Segment> = (0..count).map(ray).collect();

@@ -179,7 +179,7 @@ fn what_is_known_holds() {
             }
             match shape {
                 Some(Shape::Closed) => {
-                    assert!(degrees.iter().all(|&d| d == 2), "{told:?} {places:?}")
+                    assert!(degrees.iter().all(|&d| d == 2), "{told:?} {places:?}");
                 }
                 Some(Shape::Open) => assert!(chains.iter().all(|c| !c.is_closed())),
                 None => {}
