@@ -1,5 +1,5 @@
-//! `PointSet` and every algorithm: total, and the same edges whatever the order of the points, their
-//! place and their scale.
+//! `PointSet` and every algorithm: total, and the same edges whatever the order of the points,
+//! their place and their scale.
 
 #![no_main]
 

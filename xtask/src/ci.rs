@@ -1,12 +1,13 @@
 //! `cargo xtask ci`: what has to pass before a change goes in, all of it or step by step.
 //!
-//! A step whose tool is absent says so and is skipped. `cargo xtask test` runs those of the steps that
-//! need nothing but cargo, by the same runner.
+//! A step whose tool is absent says so and is skipped. `cargo xtask test` runs those of the steps
+//! that need nothing but cargo, by the same runner.
 
 mod advisories;
 mod cargo;
 mod fuzz;
 mod instructions;
+mod lines;
 mod packages;
 mod runner;
 mod rust_version;

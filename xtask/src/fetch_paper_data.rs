@@ -1,4 +1,5 @@
-//! `cargo xtask fetch-paper-data`: the curves and points of the paper's authors, for measuring only.
+//! `cargo xtask fetch-paper-data`: the curves and points of the paper's authors, for measuring
+//! only.
 //!
 //! They are under the GPL and never enter this repository: git ignores the folder they are laid in.
 
@@ -42,7 +43,8 @@ repository or from the folder given by `--from`, and replaces it as a whole.
 /// What was typed.
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Take a local clone, or a folder of curves/*.svg and points/*.p2d, instead of cloning from the network
+    /// Take a local clone, or a folder of curves/*.svg and points/*.p2d, instead of cloning from
+    /// the network
     #[arg(long, value_name = "DIR")]
     from: Option<PathBuf>,
     /// Replace fixtures/paper even if it holds files of another origin

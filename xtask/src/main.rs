@@ -17,7 +17,8 @@ mod test;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Exit status: 0 when all is well, 1 when a check failed, 2 when the task could not be carried out.
+/// Exit status: 0 when all is well, 1 when a check failed, 2 when the task could not be carried
+/// out.
 #[derive(Parser)]
 #[command(
     name = "cargo xtask",

@@ -2,8 +2,8 @@
 //! `target/bench/summary.md` and `.json`.
 //!
 //! Arguments are stages to run, all if none is named; and `quick`, for a tenth of the sizes. Built
-//! with the feature `portable`, there are only the stages of the neighbour kernel, and the files are
-//! named `summary-no-dispatch`.
+//! with the feature `portable`, there are only the stages of the neighbour kernel, and the files
+//! are named `summary-no-dispatch`.
 
 #![allow(
     clippy::print_stdout,

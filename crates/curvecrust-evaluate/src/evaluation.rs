@@ -49,12 +49,14 @@ pub enum Kind {
 /// let id: Vec<_> = points.ids().collect();
 /// let ring = (0..4).map(|i| Edge::new(id[i], id[(i + 1) % 4]).unwrap());
 /// let boundary = EdgeSet::new(4, ring.clone());
-/// let curve = Reference::of_segments((0..4).map(|i| Segment::new(square[i], square[(i + 1) % 4])));
+/// let sides = (0..4).map(|i| Segment::new(square[i], square[(i + 1) % 4]));
+/// let curve = Reference::of_segments(sides);
 ///
 /// // One edge is missing.
 /// let found = EdgeSet::new(4, ring.take(3));
 /// let truth = Truth { curve: &curve, boundary: &boundary };
-/// let output = Output { vertices: &points, edges: &found, kind: Kind::Interpolating, seconds: None };
+/// let kind = Kind::Interpolating;
+/// let output = Output { vertices: &points, edges: &found, kind, seconds: None };
 /// let evaluation = Evaluation::new(truth, output, 1e-3);
 /// let value = |name| METRICS.iter().find(|m| m.name == name).unwrap().of(&evaluation).unwrap();
 /// assert_eq!(value("exact").lower, 0.0);

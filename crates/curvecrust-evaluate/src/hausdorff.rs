@@ -57,8 +57,8 @@ impl Hausdorff {
 /// let ids: Vec<_> = points.ids().collect();
 /// let chord = EdgeSet::new(2, Edge::new(ids[0], ids[1]));
 ///
-/// // A distance of vertices only, as some libraries have it, sees nothing: the vertices of the curve
-/// // and of the polygon are the same.
+/// // A distance of vertices only, as some libraries have it, sees nothing: the vertices of the
+/// // curve and of the polygon are the same.
 /// let beziers = curve.components()[0].segments().iter();
 /// let vertices: Vec<DVec2> = beziers.flat_map(|bezier| [bezier.start(), bezier.end()]).collect();
 /// let farthest = |from: &[DVec2], to: &[DVec2]| {

@@ -45,12 +45,13 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
 
     /// The edges that agree with what is known about the curves.
     ///
-    /// With termini alone this is [`reconstruct_open`](Self::reconstruct_open), whatever the algorithm.
+    /// With termini alone this is [`reconstruct_open`](Self::reconstruct_open), whatever the
+    /// algorithm.
     ///
     /// # Errors
-    /// [`KnownNotHonoured`](ReconstructError::KnownNotHonoured) by algorithms that cannot use what is
-    /// known; else those of [`reconstruct_open`](Self::reconstruct_open), and an error that says why no
-    /// curves through the points agree with it.
+    /// [`KnownNotHonoured`](ReconstructError::KnownNotHonoured) by algorithms that cannot use what
+    /// is known; else those of [`reconstruct_open`](Self::reconstruct_open), and an error that says
+    /// why no curves through the points agree with it.
     fn reconstruct_known(
         &self,
         points: &PointSet,
@@ -106,8 +107,8 @@ pub struct AlgorithmInfo {
     /// Authors, title, venue and year.
     pub citation: &'static str,
     /// Sampling conditions of smooth closed curves, each claimed to be enough for the edges to be
-    /// exactly those between consecutive samples, with what is known of the claim; empty if there is
-    /// none.
+    /// exactly those between consecutive samples, with what is known of the claim; empty if there
+    /// is none.
     pub guarantees: &'static [Guarantee],
     /// Time in the number n of points.
     pub cost: &'static str,

@@ -40,8 +40,8 @@ pub enum Reason {
     Completed,
     /// An exchange that lowered the cost added it.
     Exchanged,
-    /// What is [known](crate::known::Known) about the curves requires it: without that, it would not
-    /// be there.
+    /// What is [known](crate::known::Known) about the curves requires it: without that, it would
+    /// not be there.
     Required,
 }
 

@@ -1,18 +1,18 @@
 //! What a caller knows about the curves: that they are closed or open, and how many there are.
 //!
-//! Points alone leave open where a curve ends and whether two parts of it are one. A caller who knows
-//! need not leave that to an estimate: with [`Known`] the search goes through the sets of edges that
-//! agree with it, and through no others.
+//! Points alone leave open where a curve ends and whether two parts of it are one. A caller who
+//! knows need not leave that to an estimate: with [`Known`] the search goes through the sets of
+//! edges that agree with it, and through no others.
 //!
 //! - **One curve** goes through all points: the shortest [tour](crate::tour) or path, a simple
 //!   polygon. Where the Delaunay triangulation holds none, other edges are used.
-//! - **Closed curves**, their number unknown: the ends that the algorithm leaves open are joined, the
-//!   nearest first.
-//! - **Open curves**, their number unknown: each ring that the algorithm finds is cut at its longest
-//!   edge.
-//! - **Several curves**, their number known: what the algorithm finds if it agrees; else closed curves
-//!   are joined or parted where that costs the least length, and open ones are the shortest that go
-//!   through all points.
+//! - **Closed curves**, their number unknown: the ends that the algorithm leaves open are joined,
+//!   the nearest first.
+//! - **Open curves**, their number unknown: each ring that the algorithm finds is cut at its
+//!   longest edge.
+//! - **Several curves**, their number known: what the algorithm finds if it agrees; else closed
+//!   curves are joined or parted where that costs the least length, and open ones are the shortest
+//!   that go through all points.
 
 mod closed;
 mod rings;
@@ -78,7 +78,8 @@ impl Known {
     /// let shuffled = [4.0, 0.0, 7.0, 2.0, 30.0].map(|x| DVec2::new(x, x * x / 50.0));
     /// let points = PointSet::new(shuffled.to_vec())?;
     /// let line = Reconstruction::by_known(&LeastDetour, &points, &Known::ONE_OPEN_CURVE)?;
-    /// let order: Vec<usize> = line.chains()[0].chain.vertices().iter().map(|v| v.index()).collect();
+    /// let order = line.chains()[0].chain.vertices().iter();
+    /// let order: Vec<usize> = order.map(|v| v.index()).collect();
     /// assert_eq!(order, [1, 3, 0, 2, 4]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -168,8 +169,8 @@ pub(crate) fn reconstruct(
     }
 }
 
-/// The reasons that the algorithm has for the edges; those that it would not have are required. Ends
-/// are free where the algorithm leaves them, in the curves as they are known.
+/// The reasons that the algorithm has for the edges; those that it would not have are required.
+/// Ends are free where the algorithm leaves them, in the curves as they are known.
 pub(crate) fn explain(
     algorithm: &dyn Reconstructor,
     points: &PointSet,
@@ -226,8 +227,8 @@ fn closed_through_all(points: &PointSet) -> EdgeSet {
     EdgeSet::new(points.len(), edges)
 }
 
-/// So many curves through all points, the shortest open ones; where the shape is not known, those whose
-/// ends are near each other are closed.
+/// So many curves through all points, the shortest open ones; where the shape is not known, those
+/// whose ends are near each other are closed.
 fn through_all(points: &PointSet, known: &Known, curves: usize) -> EdgeSet {
     let (sorted, ids) = in_hilbert_order(points);
     let termini = distinct(&known.termini);

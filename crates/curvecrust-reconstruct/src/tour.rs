@@ -1,22 +1,23 @@
 //! A short tour through all points: one closed curve, or a number of open ones.
 //!
 //! A curve sampled densely enough is the shortest tour of its samples (Giesen, "Curve
-//! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999), which
-//! also holds at corners. Sought here is the tour of least length and detours, which is the cost of
-//! [least detour](mod@crate::least_detour): where samples are sparse it is right more often than the
-//! shortest. An open curve is a tour with a [gap](cost::Cost), and several open curves are one with
-//! several gaps.
+//! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999),
+//! which also holds at corners. Sought here is the tour of least length and detours, which is the
+//! cost of [least detour](mod@crate::least_detour): where samples are sparse it is right more often
+//! than the shortest. An open curve is a tour with a [gap](cost::Cost), and several open curves are
+//! one with several gaps.
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
-//! 2. **Improve.** Lin-Kernighan (1973): edges are exchanged one after another, each exchange leaving
-//!    a tour, as long as the sum of their gains stays positive ([`search`]).
-//! 3. **Perturb.** Two neighbouring paths of the tour at a random place are exchanged and the tour is
-//!    improved around them, which is undone unless that lowered the cost (Martin, Otto, Felten 1991).
+//! 2. **Improve.** Lin-Kernighan (1973): edges are exchanged one after another, each exchange
+//!    leaving a tour, as long as the sum of their gains stays positive ([`search`]).
+//! 3. **Perturb.** Two neighbouring paths of the tour at a random place are exchanged and the tour
+//!    is improved around them, which is undone unless that lowered the cost (Martin, Otto, Felten
+//!    1991).
 //! 4. **Uncross.** Edges that still meet elsewhere than at a common end are exchanged
 //!    ([`uncross`](mod@uncross)): a simple polygon remains.
 //!
-//! The result depends on the points alone, if they come in an order that does so: step 3 has a fixed
-//! seed.
+//! The result depends on the points alone, if they come in an order that does so: step 3 has a
+//! fixed seed.
 
 mod cost;
 mod greedy;
@@ -42,11 +43,11 @@ pub(crate) struct Task {
     pub(crate) is_terminus: Vec<bool>,
 }
 
-/// The points in the order of a short tour, divided at the gaps: one closed curve without gaps, else
-/// as many open ones, each of two points or more.
+/// The points in the order of a short tour, divided at the gaps: one closed curve without gaps,
+/// else as many open ones, each of two points or more.
 ///
-/// There must be three points or more for a closed curve, which is a simple polygon unless all points
-/// lie on one line; and two for each gap.
+/// There must be three points or more for a closed curve, which is a simple polygon unless all
+/// points lie on one line; and two for each gap.
 pub(crate) fn short_tour(points: &PointSet, task: &Task) -> Vec<Vec<u32>> {
     let delaunay = Delaunay::new(points);
     let cost = Cost::new(points.points(), task);

@@ -272,8 +272,8 @@ mod tests {
         visits as f64 / edges.len() as f64
     }
 
-    /// As seen from the largest coordinates, doubles do not resolve the inner part of the spiral, nor
-    /// points at 1e17 as seen from one at 0: every search visited all of them.
+    /// As seen from the largest coordinates, doubles do not resolve the inner part of the spiral,
+    /// nor points at 1e17 as seen from one at 0: every search visited all of them.
     #[test]
     fn searches_stay_local_beyond_the_digits_of_a_double() {
         for n in [1000, 4000] {

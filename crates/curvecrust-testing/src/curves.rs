@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use curvecrust_curve::{BezierPath, CubicBezier, Curve};
 use curvecrust_geometry::{DVec2, Random};
 
-/// One to four smooth closed components: Fourier series and chains of Béziers, beside each other and
-/// one inside another. They may cross.
+/// One to four smooth closed components: Fourier series and chains of Béziers, beside each other
+/// and one inside another. They may cross.
 #[must_use]
 pub fn random_closed(random: &mut Random) -> Curve {
     let count = 1 + random.below(4);

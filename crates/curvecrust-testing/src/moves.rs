@@ -1,5 +1,5 @@
-//! The same points elsewhere, larger or in another order: what an algorithm finds may depend on none
-//! of that.
+//! The same points elsewhere, larger or in another order: what an algorithm finds may depend on
+//! none of that.
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 

@@ -13,8 +13,8 @@ pub struct Planted {
     pub edges: EdgeSet,
 }
 
-/// The edges between consecutive ones of `count` points, and if `closed` the one from the last to the
-/// first.
+/// The edges between consecutive ones of `count` points, and if `closed` the one from the last to
+/// the first.
 #[must_use]
 pub fn consecutive_edges(count: usize, closed: bool) -> EdgeSet {
     let id = |i: usize| PointId::new(i % count).unwrap();
@@ -33,8 +33,8 @@ const PER_CURVE: usize = 250;
 /// `count` points of wavy closed curves that do not touch, in random order.
 ///
 /// The curves lie in the cells of a square grid, 250 points on each, 0.7 to 1.3 times the even
-/// spacing apart in angle. The spacing is a tenth of the distance between curves at most: HNN-Crust,
-/// NN-Crust and Crust return the planted edges.
+/// spacing apart in angle. The spacing is a tenth of the distance between curves at most:
+/// HNN-Crust, NN-Crust and Crust return the planted edges.
 ///
 /// # Errors
 /// Too many points for a [`PointSet`].
@@ -63,7 +63,8 @@ pub fn uniform(count: usize, seed: u64) -> Result<PointSet, PointSetError> {
     PointSet::merging_duplicates(points).map(|merged| merged.points)
 }
 
-/// `count` points, dense along one smooth closed curve, in its order: a wavy circle of mean radius 1.
+/// `count` points, dense along one smooth closed curve, in its order: a wavy circle of mean
+/// radius 1.
 ///
 /// # Errors
 /// Too many points for a [`PointSet`].

@@ -6,11 +6,12 @@ use crate::points::IntoPoint;
 use crate::reconstruct::{LeastDetour, NestedChain, Reconstruction, Reconstructor};
 use glam::DVec2;
 
-/// The curves that some points come from: each an open or a closed polyline through points in order.
+/// The curves that some points come from: each an open or a closed polyline through points in
+/// order.
 ///
 /// Indices are positions in the points that were given, so that whatever else the caller knows of a
-/// point can be found again. Equal input gives equal curves, whatever the order of the points, but for
-/// the names of indices.
+/// point can be found again. Equal input gives equal curves, whatever the order of the points, but
+/// for the names of indices.
 ///
 /// ```
 /// use curvecrust::{DVec2, reconstruct};
@@ -118,8 +119,8 @@ pub fn reconstruct<P: IntoPoint>(points: impl IntoIterator<Item = P>) -> Result<
 /// [`reconstruct`], with an algorithm, ends of open curves, or equal points.
 ///
 /// # Errors
-/// Those of [`reconstruct`]; [`Error::Reconstruct`] for a terminus that is no point, and for termini
-/// of an algorithm that cannot use them.
+/// Those of [`reconstruct`]; [`Error::Reconstruct`] for a terminus that is no point, and for
+/// termini of an algorithm that cannot use them.
 pub fn reconstruct_with<P: IntoPoint>(
     points: impl IntoIterator<Item = P>,
     options: &ReconstructOptions<'_>,
@@ -294,7 +295,8 @@ impl Polyline {
         }
     }
 
-    /// The points in order. A closed curve runs counter-clockwise and does not repeat its first point.
+    /// The points in order. A closed curve runs counter-clockwise and does not repeat its first
+    /// point.
     #[must_use]
     pub fn points(&self) -> &[DVec2] {
         &self.points
@@ -319,8 +321,8 @@ impl Polyline {
         self.nesting
     }
 
-    /// The closed curve right around a closed one, as a position in [`Curves::polylines`]. `None` on
-    /// the outside and for an open curve.
+    /// The closed curve right around a closed one, as a position in [`Curves::polylines`]. `None`
+    /// on the outside and for an open curve.
     #[must_use]
     pub fn parent(&self) -> Option<usize> {
         self.parent

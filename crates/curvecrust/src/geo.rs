@@ -13,7 +13,8 @@ impl From<&Polyline> for LineString<f64> {
 }
 
 impl Curves {
-    /// The closed curves as polygons: a curve whose nesting is odd is a hole of the one right around it.
+    /// The closed curves as polygons: a curve whose nesting is odd is a hole of the one right
+    /// around it.
     ///
     /// ```
     /// use std::f64::consts::TAU;

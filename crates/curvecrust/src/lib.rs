@@ -9,11 +9,12 @@
 //! ```
 //!
 //! [`reconstruct`](fn@reconstruct) takes anything that iterates over points and returns [`Curves`]:
-//! each an open or closed [`Polyline`] with its points in order, their indices in the input, and how
-//! closed ones lie inside each other. [`reconstruct_with`] takes [`ReconstructOptions`]: another
-//! algorithm, known ends, equal points.
+//! each an open or closed [`Polyline`] with its points in order, their indices in the input, and
+//! how closed ones lie inside each other. [`reconstruct_with`] takes [`ReconstructOptions`]:
+//! another algorithm, known ends, equal points.
 //!
-//! [`sample`] goes the other way, from a smooth curve to samples from which it can be reconstructed:
+//! [`sample`] goes the other way, from a smooth curve to samples from which it can be
+//! reconstructed:
 //!
 //! ```
 //! use curvecrust::curve::Curve;
@@ -25,9 +26,9 @@
 //! # Ok::<(), curvecrust::Error>(())
 //! ```
 //!
-//! This crate implements S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with Many
-//! Fewer Samples*, SGP 2016, and goes beyond it. It re-exports the crates that do the work; depend on
-//! one of them alone if it is all you need:
+//! This crate implements S. Ohrhallinger, S. A. Mitchell, M. Wimmer, *Curve Reconstruction with
+//! Many Fewer Samples*, SGP 2016, and goes beyond it. It re-exports the crates that do the work;
+//! depend on one of them alone if it is all you need:
 //!
 //! | module | what for |
 //! |---|---|
@@ -40,8 +41,8 @@
 //! | [`evaluate`] | edges against the truth, Hausdorff distance |
 //!
 //! # Features
-//! All are off by default: `geo-types` (its points in, polygons with holes and lines out), `mint` (its
-//! points in) and `serde` (results as data).
+//! All are off by default: `geo-types` (its points in, polygons with holes and lines out), `mint`
+//! (its points in) and `serde` (results as data).
 
 mod curves;
 mod error;

@@ -4,9 +4,9 @@ use glam::{DVec2, Vec2};
 
 /// Something that is a point of the plane: two coordinates, x before y.
 ///
-/// Arrays, pairs and vectors of [`glam`], in double or single precision, owned or borrowed. With the
-/// features `mint` and `geo-types` also the points of these crates. Single precision is widened,
-/// which changes no value.
+/// Arrays, pairs and vectors of [`glam`], in double or single precision, owned or borrowed. With
+/// the features `mint` and `geo-types` also the points of these crates. Single precision is
+/// widened, which changes no value.
 ///
 /// ```
 /// use curvecrust::IntoPoint;

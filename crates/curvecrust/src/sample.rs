@@ -11,9 +11,9 @@ use crate::sampling::{Condition, SampledCurve, sample_curve};
 /// curve and not for some of its points alone. The samples are in order along each component; both
 /// ends of an open component are samples.
 ///
-/// Up to 0.895 no smooth closed curve is known from whose samples [HNN-Crust] does not return exactly
-/// the polygon in curve order; the paper claims it for all bounds below 0.9. For the epsilon condition
-/// and other ways to sample, see [`sampling`](crate::sampling).
+/// Up to 0.895 no smooth closed curve is known from whose samples [HNN-Crust] does not return
+/// exactly the polygon in curve order; the paper claims it for all bounds below 0.9. For the
+/// epsilon condition and other ways to sample, see [`sampling`](crate::sampling).
 ///
 /// [HNN-Crust]: crate::reconstruct::hnn_crust()
 ///
@@ -28,8 +28,8 @@ use crate::sampling::{Condition, SampledCurve, sample_curve};
 /// ```
 ///
 /// # Errors
-/// [`Error::Condition`] for a rho that is not above 0 and at most 1; [`Error::Sampling`] for a curve
-/// that crosses or touches itself, and where the bound asks for too many samples.
+/// [`Error::Condition`] for a rho that is not above 0 and at most 1; [`Error::Sampling`] for a
+/// curve that crosses or touches itself, and where the bound asks for too many samples.
 pub fn sample(curve: &Curve, rho: f64) -> Result<SampledCurve, Error> {
     Ok(sample_curve(curve, Condition::rho(rho)?)?.samples)
 }

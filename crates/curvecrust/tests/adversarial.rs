@@ -1,9 +1,9 @@
 //! Points that are hard on algorithms: every one of them answers, and rightly where the truth is
 //! known.
 //!
-//! The same points at any size are measured by the program `adversarial` of the benches, which prints how
-//! much more they cost than well-spread ones; here are so many of them that what is quadratic is
-//! noticed. Against definitions by brute force they are tested in the contract of
+//! The same points at any size are measured by the program `adversarial` of the benches, which
+//! prints how much more they cost than well-spread ones; here are so many of them that what is
+//! quadratic is noticed. Against definitions by brute force they are tested in the contract of
 //! `curvecrust-reconstruct`.
 
 #![allow(clippy::unwrap_used, reason = "a test that fails panics")]

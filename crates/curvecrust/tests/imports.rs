@@ -1,5 +1,5 @@
-//! No two files of a crate import each other, but a parent and its child: what a file stands on can be
-//! read without it. Read from the sources; the tests at the end of a file may look anywhere.
+//! No two files of a crate import each other, but a parent and its child: what a file stands on can
+//! be read without it. Read from the sources; the tests at the end of a file may look anywhere.
 #![allow(
     clippy::expect_used,
     clippy::panic,

@@ -1,5 +1,5 @@
-//! The same edges, whatever the scale, the place, the order of the points and the number of threads:
-//! for the samples of every curve of the fixtures and for all of their points.
+//! The same edges, whatever the scale, the place, the order of the points and the number of
+//! threads: for the samples of every curve of the fixtures and for all of their points.
 
 #![allow(clippy::unwrap_used, reason = "a test that fails panics")]
 

@@ -162,9 +162,9 @@ fn reconstructions_are_exact_within_their_bounds(name: &str, measured: &Measured
     exact("Crust", &sampled, crust(&sampled.point_set().unwrap()));
 }
 
-/// More samples keep a rho-sample one, however uneven they make it: here every few intervals have six
-/// at one of their ends, up to ninety times closer than the other end. Of least detour no theorem says
-/// so: whether it is right too, which it is but for two samplings.
+/// More samples keep a rho-sample one, however uneven they make it: here every few intervals have
+/// six at one of their ends, up to ninety times closer than the other end. Of least detour no
+/// theorem says so: whether it is right too, which it is but for two samplings.
 fn bursts_of_samples_change_nothing(
     name: &str,
     measured: &MeasuredCurve,

@@ -2,7 +2,7 @@
 
 use super::cargo::{cargo, cargo_with, has};
 use super::runner::Outcome;
-use super::{advisories, fuzz, instructions, packages, rust_version, tools, wasm};
+use super::{advisories, fuzz, instructions, lines, packages, rust_version, tools, wasm};
 use clap::ValueEnum;
 use curvecrust_lab::root;
 
@@ -11,6 +11,8 @@ use curvecrust_lab::root;
 pub(super) enum Step {
     /// Format of all sources
     Format,
+    /// Width of comments and documents
+    Lines,
     /// Format of manifests and other TOML files, by taplo
     Toml,
     /// Spelling of sources and documents, by typos
@@ -50,8 +52,9 @@ pub(super) enum Step {
 impl Step {
     /// The steps of `cargo xtask test`, in the order in which they fail fastest: they need nothing
     /// but cargo.
-    pub(super) const TEST: [Self; 5] = [
+    pub(super) const TEST: [Self; 6] = [
         Self::Format,
+        Self::Lines,
         Self::Clippy,
         Self::Tests,
         Self::Doctests,
@@ -74,6 +77,7 @@ impl Step {
     pub(super) fn run(self, renew_instructions: bool) -> anyhow::Result<Outcome> {
         match self {
             Self::Format => cargo("fmt --all -- --check"),
+            Self::Lines => lines::run(),
             Self::Toml => tools::taplo(),
             Self::Typos => tools::typos(),
             Self::Clippy => match cargo("clippy --workspace -- -D warnings")? {

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 /// A file to write: its path in the folder, and its text.
 pub(super) type File = (String, String);
 
-/// Writes the files to a fresh folder beside `target` and swaps it in; says whether it replaced one.
+/// Writes the files to a fresh folder beside `target` and swaps it in; says whether it replaced
+/// one.
 ///
 /// Refuses, unless `force`, to replace a target that holds anything else than files of these names.
 pub(super) fn install(files: &[File], target: &Path, force: bool) -> anyhow::Result<bool> {

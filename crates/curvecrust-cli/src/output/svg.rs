@@ -1,9 +1,9 @@
 //! Pictures (SVG) in the coordinates of the data, `y` downwards, so that they lie exactly over the
 //! drawing that the data came from.
 //!
-//! A picture is data like every other output: numbers have all their digits, elements are written one
-//! by one, so that a million points take no memory of their own, and colours are attributes, which
-//! programs without style sheets read too.
+//! A picture is data like every other output: numbers have all their digits, elements are written
+//! one by one, so that a million points take no memory of their own, and colours are attributes,
+//! which programs without style sheets read too.
 //!
 //! Colours differ in lightness too, and lines from marks in shape, so that a picture can be read in
 //! grey.

@@ -25,7 +25,8 @@ fn circles(count: u32) -> Vec<u8> {
     bytes
 }
 
-/// The most memory that a run has held, in bytes, when it has less than a pipe's content left to print.
+/// The most memory that a run has held, in bytes, when it has less than a pipe's content left to
+/// print.
 fn peak(folder: &Folder, line: &str) -> u64 {
     let mut command = folder.command(line);
     let mut child = command.stdout(Stdio::piped()).spawn().unwrap();

@@ -1,9 +1,11 @@
-//! Results read by the readers that people have: numpy, shapely and ezdxf, where they are installed.
+//! Results read by the readers that people have: numpy, shapely and ezdxf, where they are
+//! installed.
 
 use crate::harness::{Folder, json};
 use std::process::Command;
 
-/// Runs a program after it has imported a module; `None`, and a line that says so, without the module.
+/// Runs a program after it has imported a module; `None`, and a line that says so, without the
+/// module.
 fn python(folder: &Folder, module: &str, program: &str) -> Option<String> {
     let run = |program: &str| {
         let mut command = Command::new("python3");

@@ -8,11 +8,12 @@ use super::{Shape, edges};
 use crate::error::ReconstructError;
 use crate::tour::{Near, Task, short_tour};
 
-/// Closed curves through all points, which are not on one line: those among the edges stay, as long as
-/// their number is right, and what is open is closed.
+/// Closed curves through all points, which are not on one line: those among the edges stay, as long
+/// as their number is right, and what is open is closed.
 ///
 /// # Errors
-/// [`CurvesNotFound`](ReconstructError::CurvesNotFound) if points on lines leave no way to have so many.
+/// [`CurvesNotFound`](ReconstructError::CurvesNotFound) if points on lines leave no way to have so
+/// many.
 pub(super) fn closed(
     points: &PointSet,
     found: &EdgeSet,
@@ -90,8 +91,8 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Leaves no open slot: joins ends to those of other curves or of their own, the nearest first, in
-    /// rounds on the triangulation of the ends that are left.
+    /// Leaves no open slot: joins ends to those of other curves or of their own, the nearest first,
+    /// in rounds on the triangulation of the ends that are left.
     fn close(&mut self) {
         loop {
             let mut open = self.partners.curves();

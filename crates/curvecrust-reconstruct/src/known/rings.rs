@@ -57,8 +57,8 @@ impl Partners {
         }
     }
 
-    /// The paths and rings, each from the end or the point that comes first: from end to end, or once
-    /// around.
+    /// The paths and rings, each from the end or the point that comes first: from end to end, or
+    /// once around.
     pub(super) fn curves(&self) -> Vec<Vec<u32>> {
         let count = self.of.len();
         let all = || (0u32..).take(count);

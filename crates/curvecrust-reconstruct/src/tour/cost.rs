@@ -4,8 +4,8 @@ use curvecrust_geometry::DVec2;
 
 use super::Task;
 
-/// The cost of a tour through points and gaps: the lengths of its edges, and at each point v between p
-/// and q the detour |vp| + |vq| - |pq|, as for [least detour](mod@crate::least_detour).
+/// The cost of a tour through points and gaps: the lengths of its edges, and at each point v
+/// between p and q the detour |vp| + |vq| - |pq|, as for [least detour](mod@crate::least_detour).
 ///
 /// A gap is a vertex without a place. It lies between the end of an open curve and the start of the
 /// next, so a step to it costs nothing. What must not be (gaps next to each other, a curve of one

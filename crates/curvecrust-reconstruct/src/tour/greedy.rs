@@ -8,9 +8,10 @@ use super::near::Near;
 
 /// All vertices once. What must not be is not in it.
 ///
-/// Edges between near points are taken, the shortest first, as long as paths result; then edges of the
-/// Delaunay triangulation of the ends of these paths, and so on until there is one path. Each round
-/// leaves a fraction of the paths. The gaps, with the termini at them, go where they cost least.
+/// Edges between near points are taken, the shortest first, as long as paths result; then edges of
+/// the Delaunay triangulation of the ends of these paths, and so on until there is one path. Each
+/// round leaves a fraction of the paths. The gaps, with the termini at them, go where they cost
+/// least.
 pub(super) fn tour(points: &PointSet, near: &Near, cost: &Cost<'_>) -> Vec<u32> {
     let mut paths = Paths::new(points.len());
     let ids = || points.ids().map(u32::from);
@@ -66,7 +67,8 @@ impl Paths {
         v
     }
 
-    /// Takes the edges that join ends of different paths, the shortest first; whether there was one.
+    /// Takes the edges that join ends of different paths, the shortest first; whether there was
+    /// one.
     fn join(&mut self, points: &PointSet, mut edges: Vec<[u32; 2]>) -> bool {
         let squared = |&[v, w]: &[u32; 2]| {
             let [v, w] = [v, w].map(|v| points[PointId::from(v)]);
@@ -109,8 +111,8 @@ impl Paths {
     }
 }
 
-/// Puts gaps and termini into a tour of the other points, such that each curve has two points and each
-/// terminus a gap beside it.
+/// Puts gaps and termini into a tour of the other points, such that each curve has two points and
+/// each terminus a gap beside it.
 fn with_gaps(mut inner: Vec<u32>, termini: &[u32], cost: &Cost<'_>) -> Vec<u32> {
     let gaps: Vec<u32> = cost.gaps().collect();
     if let [gap] = gaps[..] {

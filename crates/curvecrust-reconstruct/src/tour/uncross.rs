@@ -3,13 +3,13 @@
 //! - Two edges that cross, or of which one ends inside the other at a point where its curve goes
 //!   straight on, are exchanged for the two that keep a tour: by the triangle inequality these are
 //!   shorter.
-//! - Any other point inside an edge is taken from between its neighbours and put into that edge, which
-//!   is shorter too: the point is no way straight on between its neighbours.
+//! - Any other point inside an edge is taken from between its neighbours and put into that edge,
+//!   which is shorter too: the point is no way straight on between its neighbours.
 //!
-//! Signs are exact, so the length falls each time and the steps end. Where straight runs of edges on
-//! one line overlap, an end of one of them lies inside an edge of the other, and is no point where the
-//! curve goes straight on: unless all points of a closed curve lie on one line, there is a step as long
-//! as edges meet. What remains of open curves is due to given termini.
+//! Signs are exact, so the length falls each time and the steps end. Where straight runs of edges
+//! on one line overlap, an end of one of them lies inside an edge of the other, and is no point
+//! where the curve goes straight on: unless all points of a closed curve lie on one line, there is
+//! a step as long as edges meet. What remains of open curves is due to given termini.
 
 use curvecrust_geometry::{DVec2, orient2d};
 use rstar::primitives::{GeomWithData, Rectangle};

@@ -1,4 +1,5 @@
-//! What is told holds in every result, one closed curve is a simple polygon, and small ones cost least.
+//! What is told holds in every result, one closed curve is a simple polygon, and small ones cost
+//! least.
 
 #![allow(
     clippy::panic,
