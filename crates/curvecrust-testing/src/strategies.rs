@@ -49,9 +49,9 @@ fn circles() -> impl Strategy<Value = Vec<DVec2>> {
     vec(circle, 1..=3).prop_map(|circles| circles.concat())
 }
 
-/// One to four rows of points with the same turn from step to step, which end in the open; and up to
-/// three points beside them. Of some rows all steps are equal, of others they are shorter by up to
-/// 60 %.
+/// One to four rows of points with the same turn from step to step, which end in the open; and up
+/// to three points beside them. Of some rows all steps are equal, of others they are shorter by up
+/// to 60 %.
 pub fn even_runs() -> impl Strategy<Value = Vec<DVec2>> {
     let shortening = prop::sample::select(vec![0.0, 0.05, 0.3, 0.6]);
     let row = (
