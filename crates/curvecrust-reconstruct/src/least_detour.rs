@@ -57,10 +57,11 @@ use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::constrained;
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
 use crate::hnn_crust::HnnCrust;
-use crate::known::{self, Known};
+use crate::known::Known;
 use crate::termini;
 use candidates::Candidates;
 use certificates::{CrustGraph, HnnGraph};
@@ -118,13 +119,13 @@ impl Reconstructor for LeastDetour {
         Ok(Solver::solve(points, termini, |solved| solved.edges()))
     }
 
-    /// See [`known`](mod@crate::known) for how.
+    /// One curve is a short tour or path; `docs/method.md` says how the others are found.
     fn reconstruct_known(
         &self,
         points: &PointSet,
         known: &Known,
     ) -> Result<EdgeSet, ReconstructError> {
-        known::reconstruct(self, points, known)
+        constrained::reconstruct(self, points, known)
     }
 
     /// Edges that it would not have without what is known are there since that is known:
@@ -134,7 +135,7 @@ impl Reconstructor for LeastDetour {
         points: &PointSet,
         known: &Known,
     ) -> Result<Option<Explanation>, ReconstructError> {
-        known::explain(self, points, known)
+        constrained::explain(self, points, known)
     }
 
     /// Always `Some`.

@@ -47,6 +47,7 @@
 pub mod algorithm;
 pub mod algorithms;
 pub mod beta_skeleton;
+mod constrained;
 pub mod crust;
 mod delaunay_edges;
 pub mod error;

@@ -3,9 +3,10 @@
 use curvecrust_geometry::{EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
+use super::edges;
 use super::rings::{Partners, make_polygon};
-use super::{Shape, edges};
 use crate::error::ReconstructError;
+use crate::known::Shape;
 use crate::tour::{Near, Task, short_tour};
 
 /// Closed curves through all points, which are not on one line: those among the edges stay, as long

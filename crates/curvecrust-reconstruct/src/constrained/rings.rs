@@ -2,7 +2,7 @@
 
 use curvecrust_geometry::{PointId, PointSet};
 
-use super::are_on_a_line;
+use crate::known::are_on_a_line;
 
 /// No partner.
 pub(super) const NONE: u32 = u32::MAX;
