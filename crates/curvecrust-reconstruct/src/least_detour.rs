@@ -48,6 +48,7 @@ mod constants;
 mod exchange;
 mod explain;
 mod matching;
+mod path;
 mod penalties;
 
 use std::collections::VecDeque;
@@ -65,8 +66,9 @@ use crate::known::Known;
 use crate::termini;
 use candidates::Candidates;
 use certificates::{CrustGraph, HnnGraph};
-use exchange::{Path, Search, Step};
+use exchange::Search;
 use matching::{Matching, NONE};
+use path::{Path, Step};
 use penalties::PenaltyModel;
 
 /// The edges of the cheapest triangle-free 2-matching that the search finds.

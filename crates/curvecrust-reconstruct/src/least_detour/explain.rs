@@ -3,7 +3,8 @@
 use curvecrust_geometry::{Edge, PointId};
 
 use super::Solver;
-use super::exchange::{Exchange, Search, Step};
+use super::exchange::{Exchange, Search};
+use super::path::Step;
 use crate::explanation::{ExplainedEdge, Explanation, FreeEnd, Reason, Rejected};
 
 impl Solver<'_> {
