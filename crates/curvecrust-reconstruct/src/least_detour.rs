@@ -3,25 +3,27 @@
 //!
 //! A 2-matching is a set of edges with at most two at each point (Edmonds 1965), and a
 //! triangle-free one has no cycle of three edges (D. Hartvigsen, "Extensions of Matching Theory",
-//! thesis, Carnegie Mellon University, 1984). A point with fewer than two edges has free ends. A
-//! 2-matching costs the sum of
-//! - the **lengths** of its edges,
-//! - the **detour** at every point v with edges to p and q, |vp| + |vq| - |pq|: nothing where the
-//!   curve goes straight on, twice the shorter edge where it turns back,
-//! - the **penalty** of every free end, 2.25 times the expected length of an edge there; less at
-//!   the end of an even run of points, and at an isolated point to which no curve nearby continues.
+//! thesis, Carnegie Mellon University, 1984). A point with fewer than two edges has free ends. The
+//! cost of a 2-matching is minus the logarithm of how likely it is, in a model that knows ratios of
+//! lengths and turns, but no lengths. It is the sum of
+//! - for every **edge** the logarithm of its length, less that of the spacings at its ends,
+//! - for every point with two edges its **bend**, which grows with the turn and with the ratio of
+//!   the lengths of the two: as their squares where they are small, as their logarithms where they
+//!   are large,
+//! - the **penalty** of every free end; less at the end of an even run of points, and at an isolated
+//!   point to which no curve nearby continues.
 //!
-//! Sought is the cheapest one. Lengths express proximity, detours good continuation, and penalties
-//! let a curve end where going on would cost more. The result may be any number of curves, open or
-//! closed. Since a detour depends on two edges, this is no linear matching problem, and it is not
-//! solved exactly:
+//! Sought is the cheapest one. Edges express proximity, bends good continuation, and penalties let a
+//! curve end where going on would cost more. The result may be any number of curves, open or closed.
+//! Since a bend depends on two edges, this is no linear matching problem, and it is not solved
+//! exactly:
 //!
-//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that continue almost
-//!    straight at
-//!    both ends, stay.
+//! 1. **Certify.** Where HNN-Crust leaves no free end among points near each other, its edges stay.
+//!    Elsewhere edges stay that HNN-Crust and the one-step crust find and that continue almost
+//!    straight at both ends. Edges that are much longer than the runs at both of their ends are
+//!    gaps, and do not stay.
 //! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a
-//!    free end
-//!    and the edge is shorter than the penalties of both.
+//!    free end and the edge costs less than the penalties of both.
 //! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve added edges (Lin,
 //!    Kernighan 1973), as long as that lowers the cost.
 //!
@@ -31,11 +33,9 @@
 //!   epsilon-sample with epsilon < 1. Where the bisector of consecutive samples meets the curve
 //!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
 //!   it is one arc, which holds no other sample: the disc is empty.
-//! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
-//!   edges (SGP 2016, Theorem 3, which is proven for epsilon < 0.404), the beta-skeleton with beta
-//!   = 1.7 too (Amenta, Bern, Eppstein 1998), whose edges are all in the one-step crust, and by
-//!   Lemma 9 of SGP 2016 they turn by less than step 1 allows. So all true edges are certified, and
-//!   no end is free.
+//! - Correct wherever HNN-Crust is correct and gives every point two edges, as it does by its
+//!   theorems on closed smooth curves, unless an edge is a gap. No sampling condition excludes gaps:
+//!   an arc of 320 degrees, closed by a chord, is an epsilon-sample of a circle with epsilon < 0.2.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!
@@ -43,11 +43,14 @@
 //! certified edges do not saturate or whose surroundings change.
 
 mod candidates;
-mod certificates;
+mod clusters;
+mod completions;
 mod constants;
 mod exchange;
 mod explain;
+mod hnn_graph;
 mod matching;
+mod measure;
 mod penalties;
 
 use std::collections::VecDeque;
@@ -56,16 +59,18 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::algorithm::{AlgorithmInfo, Reconstructor};
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
 use crate::hnn_crust::HnnCrust;
 use crate::known::{self, Known};
 use crate::termini;
 use candidates::Candidates;
-use certificates::{CrustGraph, HnnGraph};
+use completions::Completions;
 use exchange::{Path, Search, Step};
+use hnn_graph::HnnGraph;
 use matching::{Matching, NONE};
+use measure::Measure;
 use penalties::PenaltyModel;
 
 /// The edges of the cheapest triangle-free 2-matching that the search finds.
@@ -98,7 +103,7 @@ impl Reconstructor for LeastDetour {
         AlgorithmInfo {
             name: "least-detour",
             citation: "The curvecrust authors: docs/method.md of this project. 2026",
-            guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.297))] },
+            guarantees: &[],
             cost: "O(n log n)",
             honours_termini: true,
         }
@@ -176,12 +181,13 @@ struct Solver<'a> {
     /// Their ids in the caller's order.
     ids: &'a [PointId],
     candidates: Candidates,
+    completions: Completions,
     matching: Matching<'a>,
     /// The edges that step 2 added.
     completed: EdgeSet,
 }
 
-impl Solver<'_> {
+impl<'a> Solver<'a> {
     /// Takes all steps, and returns what `result` makes of them.
     fn solve<R>(points: &PointSet, termini: &[PointId], result: impl FnOnce(Solver<'_>) -> R) -> R {
         let mut is_named = vec![false; points.len()];
@@ -194,25 +200,28 @@ impl Solver<'_> {
         let delaunay = Delaunay::new(points);
         let candidates = Candidates::new(points, &delaunay);
         let hnn = HnnCrust::MUTUAL.with_termini(points, &termini);
-        let hnn = HnnGraph::new(points, &hnn, &is_terminus);
-        let mut matching = Matching::new(points.points(), is_terminus.clone());
+        let hnn = HnnGraph::new(points, &candidates, &hnn, &is_terminus);
+        let log_spacings = hnn.log_spacings(&candidates);
+        let mut matching =
+            Matching::new(points.points(), log_spacings.clone(), is_terminus.clone());
         for [v, w] in hnn.certified(&delaunay) {
             matching.certify(v, w);
         }
-        let crust = CrustGraph::new(points, &delaunay, |v| matching.is_saturated(v));
         let model = PenaltyModel {
-            points,
+            measure: Measure::new(points.points()),
             candidates: &candidates,
             hnn: &hnn,
-            crust: &crust,
+            log_spacings: &log_spacings,
             matching: &matching,
         };
         let penalties = model.penalties();
         matching.set_penalties(penalties);
+        let completions = Completions::new(points.len(), &candidates, &matching);
         let mut solver = Solver {
             points,
             ids,
             candidates,
+            completions,
             matching,
             completed: EdgeSet::default(),
         };
@@ -276,7 +285,7 @@ impl Solver<'_> {
             if are_free
                 && !matching.contains(v, w)
                 && !matching.would_close_triangle(v, w)
-                && matching.length(v, w) < matching.penalty(v) + matching.penalty(w)
+                && matching.edge_cost(v, w) < matching.penalty(v) + matching.penalty(w)
             {
                 matching.add(v, w);
             }
@@ -300,7 +309,7 @@ impl Solver<'_> {
         }
         while let Some(v) = queue.pop_front() {
             is_queued[v as usize] = false;
-            let found = Search::below(0.0, &mut self.matching, &self.candidates).from(v);
+            let found = self.search_below(0.0).from(v);
             let Some(exchange) = found.best() else {
                 continue;
             };
@@ -317,6 +326,16 @@ impl Solver<'_> {
                 }
             }
         }
+    }
+
+    /// A search for exchanges that cost less than `limit`.
+    fn search_below(&mut self, limit: f64) -> Search<'_, 'a> {
+        Search::below(
+            limit,
+            &mut self.matching,
+            &self.candidates,
+            &self.completions,
+        )
     }
 
     /// Takes the steps of a path, and returns the points that it touches, in its order.

@@ -68,6 +68,11 @@ impl Candidates {
             });
     }
 
+    /// The place of the first candidate of a point in the order of all.
+    pub(super) fn first_of(&self, v: u32) -> usize {
+        self.first[v as usize]
+    }
+
     pub(super) fn of(&self, v: u32) -> &[u32] {
         let v = v as usize;
         &self.targets[self.first[v]..self.first[v + 1]]

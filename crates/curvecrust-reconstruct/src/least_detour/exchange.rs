@@ -5,9 +5,12 @@
 //! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on;
 //! t2i is its end. They continue a path while its gain, what is removed less what is added, is
 //! positive. Here the next removal counts too: a long edge in the place of two others would not be
-//! found otherwise. The cost of a path is what it adds to the cost of the matching: minus its gain.
+//! found otherwise. And since a bend depends on two edges, a path whose ends seek partners has not
+//! paid for the bends there yet: what the best partners would cost counts too ([`Completions`]).
+//! The cost of a path is what it adds to the cost of the matching: minus its gain.
 
 use super::candidates::Candidates;
+use super::completions::Completions;
 use super::constants::{BREADTH, DEPTH, ROUNDING};
 use super::matching::{Matching, NONE};
 
@@ -71,6 +74,7 @@ pub(super) struct Exchange {
 pub(super) struct Search<'a, 'b> {
     matching: &'a mut Matching<'b>,
     candidates: &'a Candidates,
+    completions: &'a Completions,
     path: Path,
     best: Exchange,
 }
@@ -87,8 +91,7 @@ struct OpenPath {
     added: usize,
     /// What the path adds to the cost, without penalties for pending free ends.
     cost: f64,
-    /// The sum of all lengths, detours and penalties, removed or added, from which the cost
-    /// results.
+    /// The sum of all amounts, removed or added, from which the cost results.
     magnitude: f64,
 }
 
@@ -98,6 +101,7 @@ impl<'a, 'b> Search<'a, 'b> {
         limit: f64,
         matching: &'a mut Matching<'b>,
         candidates: &'a Candidates,
+        completions: &'a Completions,
     ) -> Self {
         let best = Exchange {
             path: Path::EMPTY,
@@ -106,6 +110,7 @@ impl<'a, 'b> Search<'a, 'b> {
         Self {
             matching,
             candidates,
+            completions,
             path: Path::EMPTY,
             best,
         }
@@ -135,7 +140,7 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Exchanges that begin by removing both edges of a point; its partners seek others.
     fn isolating(mut self, v: u32, [p, q]: [u32; 2]) -> Self {
-        let length = self.matching.length(v, p) + self.matching.length(v, q);
+        let edges = [p, q].map(|partner| self.matching.edge_cost(v, partner));
         let cost = |matching: &Matching, pending| {
             matching.cost(v, 0) + matching.cost(p, pending) + matching.cost(q, pending)
         };
@@ -149,8 +154,8 @@ impl<'a, 'b> Search<'a, 'b> {
             t1: Some(p),
             end: q,
             added: 0,
-            cost: after - before - length,
-            magnitude: length + before + after,
+            cost: after - before - edges[0] - edges[1],
+            magnitude: edges[0].abs() + edges[1].abs() + before + after,
         };
         self.stop(open);
         self.extend(open);
@@ -163,7 +168,7 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Exchanges that begin by removing the edge t1 t2.
     pub(super) fn removing(mut self, t1: u32, t2: u32) -> Self {
-        let length = self.matching.length(t1, t2);
+        let edge = self.matching.edge_cost(t1, t2);
         let before = self.matching.cost(t1, 0) + self.matching.cost(t2, 0);
         self.matching.remove(t1, t2);
         self.path.push(Step::Remove(t1, t2));
@@ -172,8 +177,8 @@ impl<'a, 'b> Search<'a, 'b> {
             t1: Some(t1),
             end: t2,
             added: 0,
-            cost: after - before - length,
-            magnitude: length + before + after,
+            cost: after - before - edge,
+            magnitude: edge.abs() + before + after,
         };
         self.stop(open);
         self.extend(open);
@@ -232,34 +237,55 @@ impl<'a, 'b> Search<'a, 'b> {
         };
         let mut cheapest = Cheapest::new(breadth);
         for &to in candidates.of(open.end) {
-            if self.matching.contains(open.end, to) || self.path.removes(open.end, to) {
+            if self.matching.is_saturated(to)
+                || self.matching.contains(open.end, to)
+                || self.path.removes(open.end, to)
+            {
                 continue;
             }
-            let cost = open.cost + self.matching.length(open.end, to);
             if self.matching.has_free_end(to) {
-                if cost - self.matching.penalty(to) < self.best.cost {
-                    self.stop_at(open, to);
-                }
-                if let Some(next) = self.passing(open, to)
-                    && next.cost < self.best.cost
-                {
-                    cheapest.insert(to, next);
+                self.stop_at(open, to);
+                if let Some(next) = self.passing(open, to) {
+                    let promised = next.cost + self.completion(to, Some(open.end), next);
+                    self.consider(&mut cheapest, to, next, promised);
                 }
             } else {
                 for partner in self.matching.partners(to) {
-                    if let Some(next) = self.replacing(open, to, partner)
-                        && next.cost < self.best.cost
-                    {
-                        cheapest.insert(to, next);
+                    if let Some(next) = self.replacing(open, to, partner) {
+                        let mut partners = self.matching.partners(partner).into_iter();
+                        let other = partners.find(|&p| p != NONE && p != to);
+                        let promised = next.cost + self.completion(partner, other, next);
+                        self.consider(&mut cheapest, to, next, promised);
                     }
                 }
             }
         }
-        for &(to, next) in cheapest.all() {
-            if next.cost < self.best.cost {
+        for &(to, next, promised) in cheapest.all() {
+            if promised < self.best.cost {
                 self.follow(open.end, to, next);
             }
         }
+    }
+
+    fn consider(&self, cheapest: &mut Cheapest, to: u32, next: OpenPath, promised: f64) {
+        if promised < self.best.cost {
+            cheapest.insert(to, next, promised);
+        }
+    }
+
+    /// What the pending ends of a path cost with the best partners; the end has one other edge, to
+    /// `other`, or none.
+    fn completion(&self, end: u32, other: Option<u32>, path: OpenPath) -> f64 {
+        let least = |v, p| self.completions.least(self.candidates, v, p);
+        if path.t1 == Some(end) {
+            return 0.0;
+        }
+        let at_t1 = path.t1.map_or(0.0, |t1| {
+            let mut partners = self.matching.partners(t1).into_iter();
+            let partner = partners.find(|&p| p != NONE);
+            partner.map_or(0.0, |p| least(t1, p))
+        });
+        at_t1 + other.map_or(0.0, |p| least(end, p))
     }
 
     /// Ends the path by an edge to a free end, perhaps that of t1.
@@ -268,7 +294,7 @@ impl<'a, 'b> Search<'a, 'b> {
             return;
         }
         let is_t1 = open.t1 == Some(to);
-        let length = self.matching.length(open.end, to);
+        let edge = self.matching.edge_cost(open.end, to);
         let before = self.matching.cost(open.end, 1) + self.matching.cost(to, usize::from(is_t1));
         self.matching.add(open.end, to);
         self.path.push(Step::Add(open.end, to));
@@ -277,8 +303,8 @@ impl<'a, 'b> Search<'a, 'b> {
         let penalty = still_free.map_or(0.0, |t1| self.pending_penalty(t1, 1));
         let magnitude = still_free.map_or(0.0, |t1| self.matching.cost(t1, 0));
         self.keep(
-            open.cost + length + after - before + penalty,
-            open.magnitude + length + after + before + magnitude,
+            open.cost + edge + after - before + penalty,
+            open.magnitude + edge.abs() + after + before + magnitude,
         );
         self.path.len -= 1;
         self.matching.remove(open.end, to);
@@ -297,9 +323,9 @@ impl<'a, 'b> Search<'a, 'b> {
             return None;
         }
         let pending = usize::from(t1 == Some(partner));
-        let lengths = [
-            self.matching.length(end, to),
-            self.matching.length(to, partner),
+        let edges = [
+            self.matching.edge_cost(end, to),
+            self.matching.edge_cost(to, partner),
         ];
         let before = self.matching.cost(to, 0)
             + self.matching.cost(end, 1)
@@ -316,8 +342,8 @@ impl<'a, 'b> Search<'a, 'b> {
             t1,
             end: partner,
             added: open.added + 1,
-            cost: open.cost + lengths[0] - lengths[1] + after - before,
-            magnitude: open.magnitude + lengths[0] + lengths[1] + after + before,
+            cost: open.cost + edges[0] - edges[1] + after - before,
+            magnitude: open.magnitude + edges[0].abs() + edges[1].abs() + after + before,
         })
     }
 
@@ -328,7 +354,7 @@ impl<'a, 'b> Search<'a, 'b> {
         if self.matching.free_ends(to) < 2 || t1 == Some(to) {
             return None;
         }
-        let length = self.matching.length(end, to);
+        let edge = self.matching.edge_cost(end, to);
         let before = self.matching.cost(end, 1) + self.matching.cost(to, 0);
         self.matching.add(end, to);
         let after = self.matching.cost(end, 0) + self.matching.cost(to, 1);
@@ -337,8 +363,8 @@ impl<'a, 'b> Search<'a, 'b> {
             t1,
             end: to,
             added: open.added + 1,
-            cost: open.cost + length + after - before,
-            magnitude: open.magnitude + length + after + before,
+            cost: open.cost + edge + after - before,
+            magnitude: open.magnitude + edge.abs() + after + before,
         })
     }
 
@@ -365,9 +391,10 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 }
 
-/// The cheapest ways to continue a path, each with the point that the next edge leads to.
+/// The most promising ways to continue a path, each with the point that the next edge leads to, and
+/// what it will cost at best.
 struct Cheapest {
-    ways: [(u32, OpenPath); BROADEST],
+    ways: [(u32, OpenPath, f64); BROADEST],
     len: usize,
     most: usize,
 }
@@ -382,23 +409,23 @@ impl Cheapest {
             magnitude: 0.0,
         };
         Self {
-            ways: [(NONE, none); BROADEST],
+            ways: [(NONE, none, f64::INFINITY); BROADEST],
             len: 0,
             most,
         }
     }
 
     /// Of equals, the first stays.
-    fn insert(&mut self, to: u32, next: OpenPath) {
-        let at = self.all().partition_point(|(_, way)| way.cost <= next.cost);
+    fn insert(&mut self, to: u32, next: OpenPath, promised: f64) {
+        let at = self.all().partition_point(|&(_, _, cost)| cost <= promised);
         if at < self.most {
             self.len = (self.len + 1).min(self.most);
             self.ways[at..self.len].rotate_right(1);
-            self.ways[at] = (to, next);
+            self.ways[at] = (to, next, promised);
         }
     }
 
-    fn all(&self) -> &[(u32, OpenPath)] {
+    fn all(&self) -> &[(u32, OpenPath, f64)] {
         &self.ways[..self.len]
     }
 }

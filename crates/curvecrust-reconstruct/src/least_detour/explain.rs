@@ -3,7 +3,7 @@
 use curvecrust_geometry::{Edge, PointId};
 
 use super::Solver;
-use super::exchange::{Exchange, Search, Step};
+use super::exchange::{Exchange, Step};
 use crate::explanation::{ExplainedEdge, Explanation, FreeEnd, Reason, Rejected};
 
 impl Solver<'_> {
@@ -38,7 +38,7 @@ impl Solver<'_> {
         };
         // A path has a direction: it seeks a new partner for t2.
         let mut removing = |t1, t2| {
-            let search = Search::below(f64::INFINITY, &mut self.matching, &self.candidates);
+            let search = self.search_below(f64::INFINITY);
             search.removing(t1, t2).best().map(|found| found.cost)
         };
         let margins = [removing(v, w), removing(w, v)];
@@ -59,7 +59,7 @@ impl Solver<'_> {
         let count = u8::try_from(self.matching.free_ends(v))
             .ok()
             .filter(|&n| n > 0)?;
-        let search = Search::below(f64::INFINITY, &mut self.matching, &self.candidates);
+        let search = self.search_below(f64::INFINITY);
         let found = search.adding_at(v).best();
         let rejected = found.and_then(|found| self.rejected(v, &found));
         Some(FreeEnd {

@@ -6,6 +6,8 @@
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet};
 
+use super::measure::Measure;
+
 /// No partner.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -14,13 +16,15 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct Penalty {
     /// One free end: the point has one edge.
     pub(super) one: f64,
-    /// Two free ends: the point is isolated. No less than one of them, and at most twice as much.
+    /// Two free ends: the point is isolated. At most twice as much.
     pub(super) both: f64,
 }
 
 /// At most two edges at each point, at most one at a terminus.
 pub(super) struct Matching<'a> {
-    points: &'a [DVec2],
+    measure: Measure<'a>,
+    /// The logarithm of the spacing at each point.
+    log_spacings: Vec<f64>,
     penalties: Vec<Penalty>,
     partners: Vec<[u32; 2]>,
     /// Those partners that stay.
@@ -30,9 +34,10 @@ pub(super) struct Matching<'a> {
 
 impl<'a> Matching<'a> {
     /// No edges, and no penalties.
-    pub(super) fn new(points: &'a [DVec2], is_terminus: Vec<bool>) -> Self {
+    pub(super) fn new(points: &'a [DVec2], log_spacings: Vec<f64>, is_terminus: Vec<bool>) -> Self {
         Self {
-            points,
+            measure: Measure::new(points),
+            log_spacings,
             penalties: vec![Penalty::default(); points.len()],
             partners: vec![[NONE; 2]; points.len()],
             certified: vec![[NONE; 2]; points.len()],
@@ -53,8 +58,16 @@ impl<'a> Matching<'a> {
         self.penalties[v as usize].one
     }
 
-    pub(super) fn length(&self, v: u32, w: u32) -> f64 {
-        self.points[v as usize].distance(self.points[w as usize])
+    /// What an edge costs: the logarithm of its length, less the mean logarithm of the spacings at
+    /// its ends. Below 0 for edges shorter than those.
+    pub(super) fn edge_cost(&self, v: u32, w: u32) -> f64 {
+        let [at_v, at_w] = [v, w].map(|id| self.log_spacings[id as usize]);
+        self.measure.log_length(v, w) - 0.5 * (at_v + at_w)
+    }
+
+    /// What a point with two edges costs: [`Measure::bend`].
+    pub(super) fn bend(&self, v: u32, p: u32, q: u32) -> f64 {
+        self.measure.bend(v, p, q)
     }
 
     /// How many more edges the point may have.
@@ -102,21 +115,14 @@ impl<'a> Matching<'a> {
 
     /// Removes an edge.
     pub(super) fn remove(&mut self, v: u32, w: u32) {
-        for (from, to) in [(v, w), (w, v)] {
-            if let Some(slot) = self.partners[from as usize].iter_mut().find(|p| **p == to) {
-                *slot = NONE;
-            }
-        }
+        remove_partners(&mut self.partners, v, w);
     }
 
-    /// What a point costs: its detour if it has two edges, else the penalty of its free ends,
-    /// without those that are `pending`: a path still seeks a partner for them.
+    /// What a point costs: its bend if it has two edges, else the penalty of its free ends, without
+    /// those that are `pending`: a path still seeks a partner for them.
     pub(super) fn cost(&self, v: u32, pending: usize) -> f64 {
         match self.partners(v) {
-            [p, q] if p != NONE && q != NONE => {
-                let [p, q] = [p, q].map(|id| self.points[id as usize]);
-                detour(self.points[v as usize], p, q)
-            }
+            [p, q] if p != NONE && q != NONE => self.bend(v, p, q),
             _ => match self.free_ends(v).saturating_sub(pending) {
                 0 => 0.0,
                 1 => self.penalties[v as usize].one,
@@ -143,33 +149,11 @@ pub(super) fn add_partners(partners: &mut [[u32; 2]], v: u32, w: u32) {
     }
 }
 
-/// How much longer the path from p to q is if it passes v: |vp| + |vq| - |pq|.
-///
-/// In a form whose error is relative to the shorter of |vp| and |vq|.
-pub(super) fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
-    let (a, b) = (p - v, q - v);
-    let (a_length, b_length) = (a.length(), b.length());
-    let around = a_length + b_length + p.distance(q);
-    (2.0 * (a_length * b_length + a.dot(b)) / around).max(0.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_detour_is_what_the_triangle_inequality_leaves() {
-        let v = DVec2::new(1.0, 2.0);
-        let at = |degrees: f64, length: f64| v + DVec2::from_angle(degrees.to_radians()) * length;
-        for (p, q) in [
-            (at(0.0, 3.0), at(90.0, 4.0)),
-            (at(10.0, 1.0), at(160.0, 7.0)),
-        ] {
-            let expected = v.distance(p) + v.distance(q) - p.distance(q);
-            assert!((detour(v, p, q) - expected).abs() < 1e-14);
+/// Makes them partners no more.
+pub(super) fn remove_partners(partners: &mut [[u32; 2]], v: u32, w: u32) {
+    for (from, to) in [(v, w), (w, v)] {
+        if let Some(slot) = partners[from as usize].iter_mut().find(|p| **p == to) {
+            *slot = NONE;
         }
-        // Straight on, and back: twice the shorter edge.
-        assert!(detour(v, at(0.0, 5.0), at(180.0, 0.1)) < 1e-16);
-        assert!((detour(v, at(0.0, 5.0), at(0.0, 0.1)) - 0.2).abs() < 1e-15);
     }
 }
