@@ -3,8 +3,9 @@
 use crate::error::Error;
 use crate::geometry::{PointId, PointSet};
 use crate::points::IntoPoint;
-use crate::reconstruct::{LeastDetour, NestedChain, Reconstruction, Reconstructor};
+use crate::reconstruct::{Known, LeastDetour, NestedChain, Reconstruction, Reconstructor, Shape};
 use glam::DVec2;
+use std::num::NonZeroU32;
 
 /// The curves that some points come from: each an open or a closed polyline through points in
 /// order.
@@ -76,6 +77,10 @@ pub struct Polyline {
 pub struct ReconstructOptions<'a> {
     /// The algorithm: least detour unless another is named.
     pub algorithm: &'a dyn Reconstructor,
+    /// Whether all curves are known to be closed, or all to be open.
+    pub shape: Option<Shape>,
+    /// How many curves there are known to be. They then go through all points.
+    pub curves: Option<NonZeroU32>,
     /// Indices of points that are known to be ends of open curves.
     pub termini: &'a [usize],
     /// Whether equal points count as one, which the first of them stands for. Otherwise they are an
@@ -87,6 +92,8 @@ impl Default for ReconstructOptions<'_> {
     fn default() -> Self {
         Self {
             algorithm: &LeastDetour,
+            shape: None,
+            curves: None,
             termini: &[],
             merge_duplicates: false,
         }
@@ -127,11 +134,12 @@ pub fn reconstruct_with<P: IntoPoint>(
 ) -> Result<Curves, Error> {
     let points = points.into_iter().map(IntoPoint::into_point).collect();
     let input = Input::new(points, options.merge_duplicates)?;
-    let termini = input.ids_of(options.termini)?;
-    let edges = options
-        .algorithm
-        .reconstruct_open(&input.points, &termini)?;
-    let found = Reconstruction::new(&input.points, edges)?;
+    let known = Known {
+        shape: options.shape,
+        curves: options.curves,
+        termini: input.ids_of(options.termini)?,
+    };
+    let found = Reconstruction::by_known(options.algorithm, &input.points, &known)?;
     Ok(Curves::new(&input, &found))
 }
 

@@ -132,6 +132,7 @@ fn termini_are_indices_of_the_input() {
             algorithm,
             termini,
             merge_duplicates: true,
+            ..Default::default()
         };
         reconstruct_with(&points, &options)
     };
