@@ -8,6 +8,7 @@ mod cargo;
 mod fuzz;
 mod instructions;
 mod lines;
+mod outcome;
 mod packages;
 mod runner;
 mod rust_version;
@@ -18,7 +19,7 @@ mod wasm;
 mod workflow;
 
 use clap::ValueEnum;
-use runner::Outcome;
+use outcome::Outcome;
 use std::process::ExitCode;
 use step::Step;
 

@@ -1,7 +1,7 @@
 //! Known vulnerabilities of dependencies, by the database of RustSec.
 
 use super::cargo::{cargo, command, has};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 
 /// Both lock files: that of the workspace and that of the fuzz targets.
 const MANIFESTS: [&str; 2] = ["Cargo.toml", "fuzz/Cargo.toml"];

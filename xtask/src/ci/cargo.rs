@@ -1,6 +1,6 @@
 //! Steps that are commands of cargo or of other programs.
 
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use anyhow::Context;
 use curvecrust_lab::root;
 use std::env;

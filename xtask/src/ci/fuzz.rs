@@ -1,7 +1,7 @@
 //! The fuzz targets, built with plain cargo on a stable toolchain, and run for a while.
 
 use super::cargo::{command, outcome, succeeds};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use anyhow::Context;
 use curvecrust_lab::{output_of, root};
 use std::path::Path;

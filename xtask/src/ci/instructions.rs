@@ -1,7 +1,7 @@
 //! Instructions of the kernels, counted by valgrind: what a loaded machine cannot hide.
 
 use super::cargo::{command, succeeds};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use anyhow::{Context, bail};
 use curvecrust_lab::{output_of, root, write_atomically};
 use serde::{Deserialize, Serialize};

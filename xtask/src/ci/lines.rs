@@ -1,6 +1,6 @@
 //! Lines that are too wide to read: comments and documents, which rustfmt leaves alone.
 
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use anyhow::Context;
 use curvecrust_lab::{output_of, root};
 use std::fs;

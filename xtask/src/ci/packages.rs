@@ -1,7 +1,7 @@
 //! The packages of the workspace, each by itself: its features, and what would be published of it.
 
 use super::cargo::{cargo, command};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use anyhow::{Context, ensure};
 use curvecrust_lab::root;
 use serde::Deserialize;

@@ -1,20 +1,9 @@
 //! Runs steps one after the other, and says what each one does and how it went.
 
+use super::outcome::Outcome;
 use super::step::Step;
 use std::fmt;
 use std::time::{Duration, Instant};
-
-/// How a step went.
-#[derive(Debug)]
-pub(super) enum Outcome {
-    Passed,
-    /// The step passed by this one of several ways.
-    PassedBy(String),
-    /// What failed.
-    Failed(String),
-    /// What is absent.
-    Skipped(String),
-}
 
 /// The steps that ran, in their order; only the last one can have failed.
 #[derive(Debug)]

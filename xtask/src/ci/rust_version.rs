@@ -1,8 +1,8 @@
 //! The oldest Rust that the manifests promise.
 
 use super::cargo::{cargo, outcome, succeeds};
+use super::outcome::Outcome;
 use super::packages::{Package, packages};
-use super::runner::Outcome;
 use anyhow::Context;
 use curvecrust_lab::root;
 use std::process::Command;

@@ -1,7 +1,7 @@
 //! The steps, by name and order, and what each one runs.
 
 use super::cargo::{cargo, cargo_with, has};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use super::{advisories, fuzz, instructions, lines, packages, rust_version, tools, wasm};
 use clap::ValueEnum;
 use curvecrust_lab::root;

@@ -1,7 +1,7 @@
 //! Steps that are other programs, each with its settings in a file at the root.
 
 use super::cargo::{outcome, succeeds};
-use super::runner::Outcome;
+use super::outcome::Outcome;
 use curvecrust_lab::root;
 use std::process::{Command, Stdio};
 

@@ -1,8 +1,8 @@
 //! The libraries for WebAssembly, which have neither files nor threads there.
 
 use super::cargo::cargo;
+use super::outcome::Outcome;
 use super::packages::packages;
-use super::runner::Outcome;
 use anyhow::Context;
 use curvecrust_lab::output_of;
 use std::path::Path;
