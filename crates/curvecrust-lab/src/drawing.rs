@@ -1,6 +1,6 @@
 //! What plots and drawings are written with: documents, words and lines, on the crate `svg`.
 //!
-//! How they look is in one sheet, [`STYLE`], by the classes of their elements. A file brings it;
+//! How they look is in one sheet, `STYLE`, by the classes of their elements. A file brings it;
 //! pages have it too, beside that of their own text.
 
 use curvecrust::DVec2;
