@@ -50,6 +50,7 @@ pub mod beta_skeleton;
 mod constrained;
 pub mod crust;
 mod delaunay_edges;
+mod detour;
 pub mod error;
 mod exact;
 pub mod explanation;

@@ -8,7 +8,8 @@ use super::constants::{
     AHEAD_COSINE, CONTINUATION_NEIGHBOURS, EVEN_RATIO, PENALTY, RUN_EDGES, RUN_PENALTY,
     SPACING_NEIGHBOURS, STRAIGHT_COSINE, TRUSTED_DETOUR, UNEVEN_RATIO,
 };
-use super::matching::{Matching, Penalty, detour};
+use super::matching::{Matching, Penalty};
+use crate::detour::detour;
 
 /// What the penalties of a point depend on.
 pub(super) struct PenaltyModel<'a> {

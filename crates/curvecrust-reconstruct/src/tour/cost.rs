@@ -1,5 +1,6 @@
 //! What a tour costs: the lengths of its edges and the detours at its points, but for its gaps.
 
+use crate::detour::detour;
 use curvecrust_geometry::DVec2;
 
 use super::Task;
@@ -96,14 +97,4 @@ impl<'a> Cost<'a> {
             _ => 0.0,
         }
     }
-}
-
-/// How much longer the way from p to q is by way of v: |vp| + |vq| - |pq|.
-///
-/// In a form whose error is relative to the shorter of |vp| and |vq|.
-fn detour(v: DVec2, p: DVec2, q: DVec2) -> f64 {
-    let (a, b) = (p - v, q - v);
-    let (a_length, b_length) = (a.length(), b.length());
-    let around = a_length + b_length + p.distance(q);
-    (2.0 * (a_length * b_length + a.dot(b)) / around).max(0.0)
 }
