@@ -24,9 +24,9 @@ pub struct ExplainedEdge {
     pub edge: Edge,
     /// How it came to be there.
     pub reason: Reason,
-    /// By how much the cost would rise by the best exchange that removes the edge: near 0 where
-    /// another answer is as good. In the unit of the points. `None` for certified edges, which are
-    /// not exchanged, and for required ones.
+    /// By how much the cost would rise, by the best edges without this one that the search finds:
+    /// near 0 where another answer is as good. The logarithm of a ratio of likelihoods, without a
+    /// unit. `None` for certified edges, which are not exchanged, and for required ones.
     pub margin: Option<f64>,
 }
 
@@ -34,7 +34,8 @@ pub struct ExplainedEdge {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Reason {
-    /// HNN-Crust and the one-step crust agree on it, and it continues almost straight at both ends.
+    /// HNN-Crust finds it, and either leaves no free end in the cluster around it, or the one-step
+    /// crust finds it too and it continues almost straight at both ends.
     Certified,
     /// It was the shortest that was left when it was added, and no exchange removed it.
     Completed,
@@ -73,7 +74,7 @@ pub struct FreeEnd {
     pub point: PointId,
     /// How many free ends it has: 1 where a curve ends, 2 if it is isolated.
     pub count: u8,
-    /// What they cost. In the unit of the points.
+    /// What they cost: minus the logarithm of a likelihood, without a unit.
     pub penalty: f64,
     /// The exchange that gives the point another edge and costs least; `None` if there is none.
     pub rejected: Option<Rejected>,
@@ -85,7 +86,8 @@ pub struct FreeEnd {
 pub struct Rejected {
     /// The other end of the edge.
     pub partner: PointId,
-    /// By how much the cost would rise. In the unit of the points.
+    /// By how much the cost would rise, by the best edges with this one that the search finds: the
+    /// logarithm of a ratio of likelihoods, without a unit.
     pub cost: f64,
 }
 

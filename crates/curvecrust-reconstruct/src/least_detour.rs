@@ -3,25 +3,27 @@
 //!
 //! A 2-matching is a set of edges with at most two at each point (Edmonds 1965), and a
 //! triangle-free one has no cycle of three edges (D. Hartvigsen, "Extensions of Matching Theory",
-//! thesis, Carnegie Mellon University, 1984). A point with fewer than two edges has free ends. A
-//! 2-matching costs the sum of
-//! - the **lengths** of its edges,
-//! - the **detour** at every point v with edges to p and q, |vp| + |vq| - |pq|: nothing where the
-//!   curve goes straight on, twice the shorter edge where it turns back,
-//! - the **penalty** of every free end, 2.25 times the expected length of an edge there; less at
-//!   the end of an even run of points, and at an isolated point to which no curve nearby continues.
+//! thesis, Carnegie Mellon University, 1984). A point with fewer than two edges has free ends. The
+//! cost of a 2-matching is minus the logarithm of how likely it is, in a model that knows ratios of
+//! lengths and turns, but no lengths. It is the sum of
+//! - for every **edge** the logarithm of its length, less that of the spacings at its ends,
+//! - for every point with two edges its **bend**, which grows with the turn and with the ratio of
+//!   the lengths of the two: as their squares where they are small, as their logarithms where they
+//!   are large,
+//! - the **penalty** of every free end; less at the end of an even run of points, and at an
+//!   isolated point to which no curve nearby continues.
 //!
-//! Sought is the cheapest one. Lengths express proximity, detours good continuation, and penalties
-//! let a curve end where going on would cost more. The result may be any number of curves, open or
-//! closed. Since a detour depends on two edges, this is no linear matching problem, and it is not
+//! Sought is the cheapest one. Edges express proximity, bends good continuation, and penalties let
+//! a curve end where going on would cost more. The result may be any number of curves, open or
+//! closed. Since a bend depends on two edges, this is no linear matching problem, and it is not
 //! solved exactly:
 //!
-//! 1. **Certify.** Edges that HNN-Crust and the one-step crust find, and that continue almost
-//!    straight at
-//!    both ends, stay.
+//! 1. **Certify.** Where HNN-Crust leaves no free end among points near each other, its edges stay.
+//!    Elsewhere edges stay that HNN-Crust and the one-step crust find and that continue almost
+//!    straight at both ends. Edges that are much longer than the runs at both of their ends are
+//!    gaps, and do not stay.
 //! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a
-//!    free end
-//!    and the edge is shorter than the penalties of both.
+//!    free end and the edge costs less than the penalties of both.
 //! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve added edges (Lin,
 //!    Kernighan 1973), as long as that lowers the cost.
 //!
@@ -31,11 +33,10 @@
 //!   epsilon-sample with epsilon < 1. Where the bisector of consecutive samples meets the curve
 //!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
 //!   it is one arc, which holds no other sample: the disc is empty.
-//! - Correct for closed smooth curves with epsilon < 0.297: there HNN-Crust finds exactly the true
-//!   edges (SGP 2016, Theorem 3, which is proven for epsilon < 0.404), the beta-skeleton with beta
-//!   = 1.7 too (Amenta, Bern, Eppstein 1998), whose edges are all in the one-step crust, and by
-//!   Lemma 9 of SGP 2016 they turn by less than step 1 allows. So all true edges are certified, and
-//!   no end is free.
+//! - Correct wherever HNN-Crust is correct and gives every point two edges, as it does by its
+//!   theorems on closed smooth curves, unless an edge is a gap. No sampling condition excludes
+//!   gaps: an arc of 320 degrees, closed by a chord, is an epsilon-sample of a circle with epsilon
+//!   < 0.2.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!
@@ -44,20 +45,26 @@
 
 mod candidates;
 mod certificates;
+mod clusters;
 mod constants;
 mod exchange;
 mod explain;
+mod hnn_graph;
 mod matching;
+mod measure;
 mod path;
 mod penalties;
+mod plan;
+mod search_graph;
+mod ways;
 
 use std::collections::VecDeque;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::algorithm::{AlgorithmInfo, Reconstructor};
 use crate::constrained;
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
@@ -65,11 +72,15 @@ use crate::hnn_crust::HnnCrust;
 use crate::known::Known;
 use crate::termini;
 use candidates::Candidates;
-use certificates::{CrustGraph, HnnGraph};
-use exchange::Search;
-use matching::{Matching, NONE};
-use path::{Path, Step};
+use certificates::Certificates;
+use exchange::{Exchange, Search};
+use hnn_graph::HnnGraph;
+use matching::Matching;
+use measure::Measure;
+use path::Step;
 use penalties::PenaltyModel;
+use plan::Plan;
+use search_graph::{NO_ARC, SearchGraph};
 
 /// The edges of the cheapest triangle-free 2-matching that the search finds.
 ///
@@ -101,7 +112,7 @@ impl Reconstructor for LeastDetour {
         AlgorithmInfo {
             name: "least-detour",
             citation: "The curvecrust authors: docs/method.md of this project. 2026",
-            guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.297))] },
+            guarantees: &[],
             cost: "O(n log n)",
             honours_termini: true,
         }
@@ -146,18 +157,18 @@ impl Reconstructor for LeastDetour {
     /// use curvecrust_geometry::{DVec2, PointSet};
     /// use curvecrust_reconstruct::{LeastDetour, Reason, Reconstructor};
     ///
-    /// // A row of five points, and one of three that stops long before the next point.
+    /// // A row of five points, and one of four that stops long before the next point.
     /// let lower = (0..5).map(|x| DVec2::new(f64::from(x), 0.0));
-    /// let upper = [0.0, 1.0, 2.0, 14.0].map(|x| DVec2::new(x, 9.0));
+    /// let upper = [0.0, 1.0, 2.0, 3.0, 16.0].map(|x| DVec2::new(x, 9.0));
     /// let points = PointSet::new(lower.chain(upper).collect())?;
     /// let why = LeastDetour.explain(&points, &[])?.unwrap();
-    /// assert_eq!(why.edges.len(), 6);
-    /// assert_eq!(why.edges[0].reason, Reason::Completed);
-    /// assert_eq!(why.edges[1].reason, Reason::Certified);
-    /// // Point 8 is an outlier and costs much to join: even the other row would cost less.
-    /// let end = why.free_ends.iter().find(|end| end.point == 7.into()).unwrap();
-    /// let rejected = end.rejected.unwrap();
-    /// assert_eq!(rejected.partner, 4.into());
+    /// assert_eq!(why.edges.len(), 7);
+    /// assert_eq!(why.edges[2].reason, Reason::Certified);
+    /// assert_eq!(why.edges[3].reason, Reason::Completed);
+    /// // Point 9 is an outlier and costs much to join.
+    /// let alone = why.free_ends.iter().find(|end| end.point == 9.into()).unwrap();
+    /// let rejected = alone.rejected.unwrap();
+    /// assert_eq!(rejected.partner, 8.into());
     /// assert!(rejected.cost > 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -178,8 +189,11 @@ struct Solver<'a> {
     points: &'a PointSet,
     /// Their ids in the caller's order.
     ids: &'a [PointId],
-    candidates: Candidates,
+    candidates: &'a Candidates,
+    certificates: &'a Certificates<'a>,
+    graph: &'a SearchGraph<'a>,
     matching: Matching<'a>,
+    is_queued: Vec<bool>,
     /// The edges that step 2 added.
     completed: EdgeSet,
 }
@@ -197,26 +211,34 @@ impl Solver<'_> {
         let delaunay = Delaunay::new(points);
         let candidates = Candidates::new(points, &delaunay);
         let hnn = HnnCrust::MUTUAL.with_termini(points, &termini);
-        let hnn = HnnGraph::new(points, &hnn, &is_terminus);
-        let mut matching = Matching::new(points.points(), is_terminus.clone());
-        for [v, w] in hnn.certified(&delaunay) {
-            matching.certify(v, w);
-        }
-        let crust = CrustGraph::new(points, &delaunay, |v| matching.is_saturated(v));
+        let hnn = HnnGraph::new(points, &candidates, &hnn, &is_terminus);
+        let certificates = Certificates::new(&is_terminus, hnn.certified(&delaunay));
+        drop(delaunay);
+        let measure = Measure::new(points.points());
+        let log_spacings = hnn.log_spacings(&candidates, &certificates);
         let model = PenaltyModel {
-            points,
+            measure,
             candidates: &candidates,
             hnn: &hnn,
-            crust: &crust,
-            matching: &matching,
+            log_spacings: &log_spacings,
+            certificates: &certificates,
         };
         let penalties = model.penalties();
-        matching.set_penalties(penalties);
+        let graph = SearchGraph::new(
+            measure,
+            &candidates,
+            &certificates,
+            &log_spacings,
+            &penalties,
+        );
         let mut solver = Solver {
             points,
             ids,
-            candidates,
-            matching,
+            candidates: &candidates,
+            certificates: &certificates,
+            graph: &graph,
+            matching: Matching::new(&graph),
+            is_queued: vec![false; graph.nodes().count()],
             completed: EdgeSet::default(),
         };
         solver.complete();
@@ -226,11 +248,23 @@ impl Solver<'_> {
 
     /// The edges in the caller's ids.
     fn edges(&self) -> EdgeSet {
-        let edges = self.matching.edges();
+        let edges = self.matching_edges();
         let edges = edges
             .edges()
             .iter()
             .filter_map(|&edge| self.in_callers_ids(edge));
+        EdgeSet::new(self.points.len(), edges)
+    }
+
+    /// The certified edges and those of the matching.
+    fn matching_edges(&self) -> EdgeSet {
+        let graph = self.graph;
+        let others = self
+            .matching
+            .edges()
+            .map(|arc| graph.ends(arc).map(|node| graph.point(node)));
+        let all = self.certificates.edges().chain(others);
+        let edges = all.filter_map(|[v, w]| Edge::new(v.into(), w.into()));
         EdgeSet::new(self.points.len(), edges)
     }
 
@@ -243,100 +277,101 @@ impl Solver<'_> {
     /// Adds edges between free ends, the shortest first.
     fn complete(&mut self) {
         let points = self.points.points();
-        let Self {
-            matching,
-            candidates,
-            ..
-        } = self;
-        let is_free = |v: u32| matching.has_free_end(v);
-        let mut edges: Vec<(f64, [u32; 2])> = Vec::new();
-        for v in (0u32..).take(points.len()).filter(|&v| is_free(v)) {
-            for &w in candidates.of(v) {
-                if v < w && is_free(w) {
-                    edges.push((
-                        points[v as usize].distance_squared(points[w as usize]),
-                        [v, w],
-                    ));
-                }
+        let (matching, graph) = (&mut self.matching, self.graph);
+        let place = |node: u32| points[graph.point(node) as usize];
+        let mut edges: Vec<(f64, [DVec2; 2], usize)> = Vec::new();
+        for v in graph.nodes() {
+            for arc in graph.of(v).filter(|&arc| v < graph.target(arc)) {
+                let mut ends = [v, graph.target(arc)].map(place);
+                ends.sort_unstable_by(|&p, &q| by_coordinates(p, q));
+                edges.push((ends[0].distance_squared(ends[1]), ends, arc));
             }
         }
-        let in_order = |[v, w]: [u32; 2]| {
-            let [v, w] = [v, w].map(|id| points[id as usize]);
-            if by_coordinates(v, w).is_le() {
-                [v, w]
-            } else {
-                [w, v]
-            }
-        };
-        edges.sort_unstable_by(|(a, e), (b, f)| {
-            let ([p, q], [r, s]) = (in_order(*e), in_order(*f));
+        edges.sort_unstable_by(|(a, [p, q], _), (b, [r, s], _)| {
             a.total_cmp(b)
-                .then_with(|| by_coordinates(p, r))
-                .then_with(|| by_coordinates(q, s))
+                .then_with(|| by_coordinates(*p, *r))
+                .then_with(|| by_coordinates(*q, *s))
         });
-        for (_, [v, w]) in edges {
-            let are_free = matching.has_free_end(v) && matching.has_free_end(w);
-            if are_free
-                && !matching.contains(v, w)
-                && !matching.would_close_triangle(v, w)
-                && matching.length(v, w) < matching.penalty(v) + matching.penalty(w)
+        for (_, _, arc) in edges {
+            let ends = graph.ends(arc);
+            let [at_v, at_w] = ends.map(|v| matching.arcs(v));
+            let penalties = ends.map(|v| graph.penalty(v, 1));
+            if ends.iter().all(|&v| matching.has_free_end(v))
+                && !matching.share_partner(at_v, at_w)
+                && graph.cost(arc) < penalties[0] + penalties[1]
             {
-                matching.add(v, w);
+                matching.add(arc);
             }
         }
-        self.completed = self.matching.edges();
+        self.completed = self.matching_edges();
     }
 
-    /// Applies exchanges that lower the cost until there is none.
+    /// Applies exchanges that lower the cost until there is none: first those that narrow searches
+    /// find, since these are many and cheap.
     ///
     /// This ends, since each exchange lowers the cost by more than rounding could feign.
     fn exchange(&mut self) {
-        let mut queue: Vec<u32> = (0u32..)
-            .take(self.points.len())
-            .filter(|&v| !self.matching.is_saturated(v))
-            .collect();
-        queue.sort_unstable_by(|&v, &w| self.candidates.compare(self.points, v, w));
-        let mut queue = VecDeque::from(queue);
-        let mut is_queued = vec![false; self.points.len()];
-        for &v in &queue {
-            is_queued[v as usize] = true;
-        }
-        while let Some(v) = queue.pop_front() {
-            is_queued[v as usize] = false;
-            let found = Search::below(0.0, &mut self.matching, &self.candidates).from(v);
-            let Some(exchange) = found.best() else {
-                continue;
-            };
-            for touched in self.apply(&exchange.path) {
-                let around = self.matching.partners(touched);
-                for near in around.into_iter().chain([touched]) {
-                    if near != NONE
-                        && !is_queued[near as usize]
-                        && !self.matching.is_saturated(near)
-                    {
-                        is_queued[near as usize] = true;
-                        queue.push_back(near);
-                    }
-                }
-            }
+        let graph = self.graph;
+        let mut order: Vec<u32> = graph.nodes().filter(|&v| !graph.is_saturated(v)).collect();
+        order.sort_unstable_by(|&v, &w| {
+            let [v, w] = [v, w].map(|node| graph.point(node));
+            self.candidates.compare(self.points, v, w)
+        });
+        for plan in [Plan::NARROW, Plan::BROAD] {
+            self.descend(order.iter().copied(), plan, |_| {});
         }
     }
 
-    /// Takes the steps of a path, and returns the points that it touches, in its order.
-    fn apply(&mut self, path: &Path) -> Vec<u32> {
-        for step in path.steps() {
-            if let Step::Remove(v, w) = *step {
-                self.matching.remove(v, w);
+    /// Applies exchanges that begin at some nodes, or where others change something, until none
+    /// lowers the cost; and tells of each.
+    fn descend(
+        &mut self,
+        nodes: impl Iterator<Item = u32>,
+        plan: Plan,
+        mut applied: impl FnMut(Exchange),
+    ) {
+        let graph = self.graph;
+        let mut queue = VecDeque::new();
+        for v in nodes {
+            self.enqueue(v, &mut queue);
+        }
+        while let Some(v) = queue.pop_front() {
+            self.is_queued[v as usize] = false;
+            let search = Search::below(0.0, &mut self.matching, plan);
+            let Some(exchange) = search.from(v).best() else {
+                continue;
+            };
+            self.apply(exchange.path.steps().iter().copied());
+            for touched in exchange.path.nodes(graph) {
+                let around = self.matching.arcs(touched).into_iter();
+                let around = around.filter(|&arc| arc != NO_ARC);
+                for near in around.map(|arc| graph.target(arc)).chain([touched]) {
+                    self.enqueue(near, &mut queue);
+                }
+            }
+            applied(exchange);
+        }
+    }
+
+    /// Puts a node into the queue, if edges of it may change and it is not there.
+    fn enqueue(&mut self, v: u32, queue: &mut VecDeque<u32>) {
+        if !self.graph.is_saturated(v) && !std::mem::replace(&mut self.is_queued[v as usize], true)
+        {
+            queue.push_back(v);
+        }
+    }
+
+    /// Takes steps, first those that remove.
+    fn apply(&mut self, steps: impl Iterator<Item = Step> + Clone) {
+        for step in steps.clone() {
+            if let Step::Remove(arc) = step {
+                self.matching.remove(arc);
             }
         }
-        for step in path.steps() {
-            if let Step::Add(v, w) = *step {
-                self.matching.add(v, w);
+        for step in steps {
+            if let Step::Add(arc) = step {
+                self.matching.add(arc);
             }
         }
-        let ends = path.steps().iter().flat_map(|step| match *step {
-            Step::Remove(v, w) | Step::Add(v, w) => [v, w],
-        });
-        ends.collect()
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! | name | source | claimed correct for closed smooth curves with | cost | termini |
 //! |---|---|---|---|---|
-//! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | epsilon < 0.297 | O(n log n) | yes |
+//! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | none known | O(n log n) | yes |
 //! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | O(n log n) | yes |
 //! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | O(n log n) | yes |
 //! | [`nn-crust`] | Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction. SODA 1999 | epsilon < 0.333 | O(n log n) | no |

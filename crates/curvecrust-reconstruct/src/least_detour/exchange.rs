@@ -5,15 +5,18 @@
 //! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on;
 //! t2i is its end. They continue a path while its gain, what is removed less what is added, is
 //! positive. Here the next removal counts too: a long edge in the place of two others would not be
-//! found otherwise. The cost of a path is what it adds to the cost of the matching: minus its gain.
+//! found otherwise. And since a bend depends on two edges, a path whose ends seek partners has not
+//! paid for the bends there yet: what the best partners would cost counts too.
+//! The cost of a path is what it adds to the cost of the matching: minus its gain.
 
-use super::candidates::Candidates;
-use super::constants::{BREADTH, ROUNDING};
-use super::matching::{Matching, NONE};
+use std::ops::Range;
+
+use super::constants::ROUNDING;
+use super::matching::{Arcs, Matching, with, without};
 use super::path::{Path, Step};
-
-/// The largest breadth.
-const BROADEST: usize = BREADTH[0];
+use super::plan::{Bounds, Plan};
+use super::search_graph::NO_ARC;
+use super::ways::{Cheapest, OpenPath, Way};
 
 /// An exchange, and what it adds to the cost.
 #[derive(Clone, Copy, Debug)]
@@ -25,42 +28,21 @@ pub(super) struct Exchange {
 /// The search for the cheapest exchange among those that begin in one place.
 pub(super) struct Search<'a, 'b> {
     matching: &'a mut Matching<'b>,
-    candidates: &'a Candidates,
+    plan: Plan,
     path: Path,
     best: Exchange,
 }
 
-/// A path whose end still seeks a partner, and perhaps its first point too: their free ends are
-/// pending.
-#[derive(Clone, Copy)]
-struct OpenPath {
-    /// The first point, if it seeks a partner.
-    t1: Option<u32>,
-    /// t2i.
-    end: u32,
-    /// The number of edges that the path adds.
-    added: usize,
-    /// What the path adds to the cost, without penalties for pending free ends.
-    cost: f64,
-    /// The sum of all lengths, detours and penalties, removed or added, from which the cost
-    /// results.
-    magnitude: f64,
-}
-
 impl<'a, 'b> Search<'a, 'b> {
     /// Among exchanges that cost less than `limit`.
-    pub(super) fn below(
-        limit: f64,
-        matching: &'a mut Matching<'b>,
-        candidates: &'a Candidates,
-    ) -> Self {
+    pub(super) fn below(limit: f64, matching: &'a mut Matching<'b>, plan: Plan) -> Self {
         let best = Exchange {
             path: Path::EMPTY,
             cost: limit,
         };
         Self {
             matching,
-            candidates,
+            plan,
             path: Path::EMPTY,
             best,
         }
@@ -71,85 +53,129 @@ impl<'a, 'b> Search<'a, 'b> {
         (self.best.path.len > 0).then_some(self.best)
     }
 
-    /// Exchanges that begin at a point: they remove one of its edges that are not certified, or
+    /// Exchanges that begin at a node: they remove one of its edges that are not certified, or
     /// both, or add one at a free end.
     pub(super) fn from(mut self, v: u32) -> Self {
-        let partners = self.matching.partners(v);
-        let is_removable = |p: u32, matching: &Matching| p != NONE && !matching.is_certified(v, p);
-        for partner in partners {
-            if is_removable(partner, self.matching) {
-                self = self.removing(v, partner);
+        let arcs = self.matching.arcs(v);
+        let is_removable = arcs.map(|arc| self.may_remove(v, arc));
+        for (arc, is_removable) in arcs.into_iter().zip(is_removable) {
+            if is_removable {
+                self = self.removing(v, arc);
             }
         }
-        if partners.into_iter().all(|p| is_removable(p, self.matching)) {
-            let [p, q] = partners;
+        if is_removable == [true; 2] {
+            let [p, q] = arcs;
             self = self.isolating(v, [p, q]).isolating(v, [q, p]);
         }
         self.adding_at(v)
     }
 
-    /// Exchanges that begin by removing both edges of a point; its partners seek others.
-    fn isolating(mut self, v: u32, [p, q]: [u32; 2]) -> Self {
-        let length = self.matching.length(v, p) + self.matching.length(v, q);
+    /// Whether exchanges may remove the edge of an arc from a node.
+    fn may_remove(&self, v: u32, arc: usize) -> bool {
+        let graph = self.matching.graph;
+        arc != NO_ARC
+            && !graph.is_certified(v, arc)
+            && match self.plan.bounds {
+                Bounds::Keep(node) => node != v && node != graph.target(arc),
+                _ => true,
+            }
+    }
+
+    /// Whether exchanges may add the edge of an arc.
+    fn may_add(&self, arc: usize) -> bool {
+        match self.plan.bounds {
+            Bounds::Avoid(out) => out != arc && out != self.matching.graph.twin(arc),
+            _ => true,
+        }
+    }
+
+    /// Exchanges that begin by removing both edges of a node; its partners seek others.
+    fn isolating(mut self, v: u32, arcs: Arcs) -> Self {
+        let graph = self.matching.graph;
+        let [p, q] = arcs.map(|arc| graph.target(arc));
+        let edges = arcs.map(|arc| graph.cost(arc));
         let cost = |matching: &Matching, pending| {
             matching.cost(v, 0) + matching.cost(p, pending) + matching.cost(q, pending)
         };
         let before = cost(self.matching, 0);
-        for partner in [p, q] {
-            self.matching.remove(v, partner);
-            self.path.push(Step::Remove(v, partner));
+        for arc in arcs {
+            self.matching.remove(arc);
+            self.path.push(Step::Remove(arc));
         }
         let after = cost(self.matching, 1);
         let open = OpenPath {
             t1: Some(p),
             end: q,
+            removed: graph.twin(arcs[1]),
             added: 0,
-            cost: after - before - length,
-            magnitude: length + before + after,
+            cost: after - before - edges[0] - edges[1],
+            magnitude: edges[0].abs() + edges[1].abs() + before + after,
         };
         self.stop(open);
-        self.extend(open);
+        self.begin(open);
         self.path.len -= 2;
-        for partner in [p, q] {
-            self.matching.add(v, partner);
+        for arc in arcs {
+            self.matching.add(arc);
         }
         self
     }
 
-    /// Exchanges that begin by removing the edge t1 t2.
-    pub(super) fn removing(mut self, t1: u32, t2: u32) -> Self {
-        let length = self.matching.length(t1, t2);
+    /// Exchanges that begin by removing the edge of an arc from t1.
+    pub(super) fn removing(mut self, t1: u32, arc: usize) -> Self {
+        let t2 = self.matching.graph.target(arc);
+        let edge = self.matching.graph.cost(arc);
         let before = self.matching.cost(t1, 0) + self.matching.cost(t2, 0);
-        self.matching.remove(t1, t2);
-        self.path.push(Step::Remove(t1, t2));
+        self.matching.remove(arc);
+        self.path.push(Step::Remove(arc));
         let after = self.matching.cost(t1, 1) + self.matching.cost(t2, 1);
         let open = OpenPath {
             t1: Some(t1),
             end: t2,
+            removed: self.matching.graph.twin(arc),
             added: 0,
-            cost: after - before - length,
-            magnitude: length + before + after,
+            cost: after - before - edge,
+            magnitude: edge.abs() + before + after,
         };
         self.stop(open);
-        self.extend(open);
+        self.begin(open);
         self.path.len -= 1;
-        self.matching.add(t1, t2);
+        self.matching.add(arc);
         self
     }
 
-    /// Exchanges that begin by adding an edge at a free end of a point; none if it has none.
-    pub(super) fn adding_at(mut self, v: u32) -> Self {
+    /// Exchanges that begin by adding an edge at a free end of a node; none if it has none.
+    fn adding_at(mut self, v: u32) -> Self {
         if self.matching.has_free_end(v) {
-            let penalty = self.pending_penalty(v, 1);
-            self.extend(OpenPath {
-                t1: None,
-                end: v,
-                added: 0,
-                cost: -penalty,
-                magnitude: self.matching.cost(v, 0),
-            });
+            let open = self.open_at(v);
+            self.begin(open);
         }
         self
+    }
+
+    /// Exchanges that begin by adding the edge of an arc at a free end of a node.
+    pub(super) fn adding(mut self, v: u32, arc: usize) -> Self {
+        let open = self.open_at(v);
+        self.extend_by(open, arc..arc + 1);
+        self
+    }
+
+    /// The path whose end is a free end of a node.
+    fn open_at(&self, v: u32) -> OpenPath {
+        OpenPath {
+            t1: None,
+            end: v,
+            removed: NO_ARC,
+            added: 0,
+            cost: -self.pending_penalty(v, 1),
+            magnitude: self.matching.cost(v, 0),
+        }
+    }
+
+    /// Searches on if the path may cost less than the best.
+    fn begin(&mut self, open: OpenPath) {
+        if open.cost + self.completion(open, self.matching.arcs(open.end)) < self.best.cost {
+            self.extend(open);
+        }
     }
 
     /// Ends the path: its pending ends stay free.
@@ -164,7 +190,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.keep(open.cost + penalties, open.magnitude + magnitude);
     }
 
-    /// What it costs if pending ends of a point stay free.
+    /// What it costs if pending ends of a node stay free.
     fn pending_penalty(&self, v: u32, pending: usize) -> f64 {
         self.matching.cost(v, 0) - self.matching.cost(v, pending)
     }
@@ -181,179 +207,190 @@ impl<'a, 'b> Search<'a, 'b> {
     /// Adds edges from the end to each of its candidates. The path stops at a free end there, or
     /// continues by removing an edge of the candidate.
     fn extend(&mut self, open: OpenPath) {
-        let candidates = self.candidates;
-        let Some(&breadth) = BREADTH.get(open.added) else {
+        let arcs = self.matching.graph.of(open.end);
+        self.extend_by(open, arcs);
+    }
+
+    fn extend_by(&mut self, open: OpenPath, arcs: Range<usize>) {
+        let Some(&breadth) = self.plan.breadth.get(open.added) else {
             return;
         };
+        let graph = self.matching.graph;
         let mut cheapest = Cheapest::new(breadth);
-        for &to in candidates.of(open.end) {
-            if self.matching.contains(open.end, to) || self.path.removes(open.end, to) {
+        for arc in arcs {
+            if self.matching.contains(open.end, arc)
+                || self.path.removes(graph, arc)
+                || !self.may_add(arc)
+            {
                 continue;
             }
-            let cost = open.cost + self.matching.length(open.end, to);
+            let to = graph.target(arc);
             if self.matching.has_free_end(to) {
-                if cost - self.matching.penalty(to) < self.best.cost {
-                    self.stop_at(open, to);
-                }
-                if let Some(next) = self.passing(open, to)
-                    && next.cost < self.best.cost
-                {
-                    cheapest.insert(to, next);
-                }
+                self.stop_at(open, arc);
+                self.pass(open, arc, &mut cheapest);
             } else {
-                for partner in self.matching.partners(to) {
-                    if let Some(next) = self.replacing(open, to, partner)
-                        && next.cost < self.best.cost
-                    {
-                        cheapest.insert(to, next);
-                    }
+                for removed in self.matching.arcs(to) {
+                    self.replace(open, arc, removed, &mut cheapest);
                 }
             }
         }
-        for &(to, next) in cheapest.all() {
-            if next.cost < self.best.cost {
-                self.follow(open.end, to, next);
+        for way in cheapest.all() {
+            if way.promised < self.best.cost {
+                self.follow(way);
             }
+        }
+    }
+
+    /// What the end of a path with these arcs and t1 cost at least with the best partners.
+    ///
+    /// The path may yet take away the other edge of t1 too, so that the edge that it removed there
+    /// counts as a partner.
+    fn completion(&self, open: OpenPath, arcs: Arcs) -> f64 {
+        let least = |arcs: Arcs, but| {
+            let arc = arcs.into_iter().find(|&arc| arc != NO_ARC);
+            arc.map_or(0.0, |arc| self.matching.graph.completion(arc, but))
+        };
+        match open.t1 {
+            _ if !self.plan.leaves_early => 0.0,
+            Some(t1) if t1 == open.end => 0.0,
+            Some(t1) => least(arcs, open.removed) + least(self.matching.arcs(t1), NO_ARC),
+            None => least(arcs, open.removed),
         }
     }
 
     /// Ends the path by an edge to a free end, perhaps that of t1.
-    fn stop_at(&mut self, open: OpenPath, to: u32) {
-        if self.matching.would_close_triangle(open.end, to) {
+    fn stop_at(&mut self, open: OpenPath, arc: usize) {
+        let OpenPath { t1, end, .. } = open;
+        let graph = self.matching.graph;
+        let to = graph.target(arc);
+        let [at_end, at_to] = [end, to].map(|v| self.matching.arcs(v));
+        if self.matching.share_partner(at_end, at_to) {
             return;
         }
-        let is_t1 = open.t1 == Some(to);
-        let length = self.matching.length(open.end, to);
-        let before = self.matching.cost(open.end, 1) + self.matching.cost(to, usize::from(is_t1));
-        self.matching.add(open.end, to);
-        self.path.push(Step::Add(open.end, to));
-        let after = self.matching.cost(open.end, 0) + self.matching.cost(to, 0);
-        let still_free = open.t1.filter(|_| !is_t1);
-        let penalty = still_free.map_or(0.0, |t1| self.pending_penalty(t1, 1));
-        let magnitude = still_free.map_or(0.0, |t1| self.matching.cost(t1, 0));
+        let is_t1 = t1 == Some(to);
+        let edge = graph.cost(arc);
+        let before = self.matching.cost(end, 1) + self.matching.cost(to, usize::from(is_t1));
+        let after = self.matching.cost_with(end, with(at_end, arc), 0)
+            + self.matching.cost_with(to, with(at_to, graph.twin(arc)), 0);
+        // The end may be t1 too, with another end pending.
+        let still_free = t1.filter(|_| !is_t1).map(|t1| {
+            let arcs = self.matching.arcs(t1);
+            (t1, if t1 == end { with(arcs, arc) } else { arcs })
+        });
+        let cost_of_t1 = |pending| {
+            still_free.map_or(0.0, |(t1, arcs)| self.matching.cost_with(t1, arcs, pending))
+        };
+        let magnitude = cost_of_t1(0);
+        let penalty = magnitude - cost_of_t1(1);
+        self.path.push(Step::Add(arc));
         self.keep(
-            open.cost + length + after - before + penalty,
-            open.magnitude + length + after + before + magnitude,
+            open.cost + edge + after - before + penalty,
+            open.magnitude + edge.abs() + after + before + magnitude,
         );
         self.path.len -= 1;
-        self.matching.remove(open.end, to);
     }
 
-    /// The path once the edge from its end to a point has replaced the edge from there to a
-    /// partner, which is the next end; `None` where that is not allowed.
-    fn replacing(&mut self, open: OpenPath, to: u32, partner: u32) -> Option<OpenPath> {
+    /// Considers the edge of an arc in the place of another at its target; the path goes on from
+    /// the other end of that.
+    fn replace(&self, open: OpenPath, arc: usize, removed: usize, cheapest: &mut Cheapest) {
         let OpenPath { t1, end, .. } = open;
+        let (matching, graph) = (&*self.matching, self.matching.graph);
+        let to = graph.target(arc);
         // A terminus has one partner.
-        if partner == NONE
-            || partner == end
-            || self.matching.is_certified(to, partner)
-            || self.path.adds(to, partner)
-        {
-            return None;
+        if !self.may_remove(to, removed) {
+            return;
+        }
+        let partner = graph.target(removed);
+        if partner == end || self.path.adds(graph, removed) {
+            return;
         }
         let pending = usize::from(t1 == Some(partner));
-        let lengths = [
-            self.matching.length(end, to),
-            self.matching.length(to, partner),
-        ];
-        let before = self.matching.cost(to, 0)
-            + self.matching.cost(end, 1)
-            + self.matching.cost(partner, pending);
-        self.matching.remove(to, partner);
-        let is_possible = !self.matching.would_close_triangle(end, to);
-        self.matching.add(end, to);
-        let after = self.matching.cost(to, 0)
-            + self.matching.cost(end, 0)
-            + self.matching.cost(partner, pending + 1);
-        self.matching.remove(end, to);
-        self.matching.add(to, partner);
-        is_possible.then(|| OpenPath {
+        let [at_end, at_to, at_partner] = [end, to, partner].map(|v| matching.arcs(v));
+        let kept = without(at_to, removed);
+        let left = without(at_partner, graph.twin(removed));
+        if matching.share_partner(at_end, kept) {
+            return;
+        }
+        let edges = [graph.cost(arc), graph.cost(removed)];
+        let before = matching.cost_with(to, at_to, 0)
+            + matching.cost_with(end, at_end, 1)
+            + matching.cost_with(partner, at_partner, pending);
+        let after = matching.cost_with(to, with(kept, graph.twin(arc)), 0)
+            + matching.cost_with(end, with(at_end, arc), 0)
+            + matching.cost_with(partner, left, pending + 1);
+        let next = OpenPath {
             t1,
             end: partner,
+            removed: graph.twin(removed),
             added: open.added + 1,
-            cost: open.cost + lengths[0] - lengths[1] + after - before,
-            magnitude: open.magnitude + lengths[0] + lengths[1] + after + before,
-        })
+            cost: open.cost + edges[0] - edges[1] + after - before,
+            magnitude: open.magnitude + edges[0].abs() + edges[1].abs() + after + before,
+        };
+        self.consider(arc, removed, next, left, cheapest);
     }
 
-    /// The path once it has an edge to an isolated point, which is the next end; `None` for other
-    /// points.
-    fn passing(&mut self, open: OpenPath, to: u32) -> Option<OpenPath> {
+    /// Considers an edge to an isolated node, from which the path goes on.
+    fn pass(&self, open: OpenPath, arc: usize, cheapest: &mut Cheapest) {
         let OpenPath { t1, end, .. } = open;
-        if self.matching.free_ends(to) < 2 || t1 == Some(to) {
-            return None;
+        let (matching, graph) = (&*self.matching, self.matching.graph);
+        let to = graph.target(arc);
+        if matching.free_ends(to) < 2 || t1 == Some(to) {
+            return;
         }
-        let length = self.matching.length(end, to);
-        let before = self.matching.cost(end, 1) + self.matching.cost(to, 0);
-        self.matching.add(end, to);
-        let after = self.matching.cost(end, 0) + self.matching.cost(to, 1);
-        self.matching.remove(end, to);
-        Some(OpenPath {
+        let edge = graph.cost(arc);
+        let there = [graph.twin(arc), NO_ARC];
+        let before = matching.cost(end, 1) + matching.cost(to, 0);
+        let after = matching.cost_with(end, with(matching.arcs(end), arc), 0)
+            + matching.cost_with(to, there, 1);
+        let next = OpenPath {
             t1,
             end: to,
+            removed: NO_ARC,
             added: open.added + 1,
-            cost: open.cost + length + after - before,
-            magnitude: open.magnitude + length + after + before,
-        })
-    }
-
-    /// Searches on from `next`, the path after the edge from `end` to a point, and perhaps the
-    /// removal of an edge there.
-    fn follow(&mut self, end: u32, to: u32, next: OpenPath) {
-        let steps = self.path.len;
-        let removes = next.end != to;
-        if removes {
-            self.matching.remove(to, next.end);
-        }
-        self.matching.add(end, to);
-        self.path.push(Step::Add(end, to));
-        if removes {
-            self.path.push(Step::Remove(to, next.end));
-            self.stop(next);
-        }
-        self.extend(next);
-        self.path.len = steps;
-        self.matching.remove(end, to);
-        if removes {
-            self.matching.add(to, next.end);
-        }
-    }
-}
-
-/// The cheapest ways to continue a path, each with the point that the next edge leads to.
-struct Cheapest {
-    ways: [(u32, OpenPath); BROADEST],
-    len: usize,
-    most: usize,
-}
-
-impl Cheapest {
-    fn new(most: usize) -> Self {
-        let none = OpenPath {
-            t1: None,
-            end: NONE,
-            added: 0,
-            cost: f64::INFINITY,
-            magnitude: 0.0,
+            cost: open.cost + edge + after - before,
+            magnitude: open.magnitude + edge.abs() + after + before,
         };
-        Self {
-            ways: [(NONE, none); BROADEST],
-            len: 0,
-            most,
+        self.consider(arc, NO_ARC, next, there, cheapest);
+    }
+
+    /// Considers a way whose end has these arcs.
+    fn consider(
+        &self,
+        adds: usize,
+        removes: usize,
+        next: OpenPath,
+        at_end: Arcs,
+        cheapest: &mut Cheapest,
+    ) {
+        let promised = next.cost + self.completion(next, at_end);
+        if promised < self.best.cost {
+            cheapest.insert(Way {
+                adds,
+                removes,
+                next,
+                promised,
+            });
         }
     }
 
-    /// Of equals, the first stays.
-    fn insert(&mut self, to: u32, next: OpenPath) {
-        let at = self.all().partition_point(|(_, way)| way.cost <= next.cost);
-        if at < self.most {
-            self.len = (self.len + 1).min(self.most);
-            self.ways[at..self.len].rotate_right(1);
-            self.ways[at] = (to, next);
+    /// Searches on along a way.
+    fn follow(&mut self, way: &Way) {
+        let steps = self.path.len;
+        let removes = way.removes != NO_ARC;
+        if removes {
+            self.matching.remove(way.removes);
         }
-    }
-
-    fn all(&self) -> &[(u32, OpenPath)] {
-        &self.ways[..self.len]
+        self.matching.add(way.adds);
+        self.path.push(Step::Add(way.adds));
+        if removes {
+            self.path.push(Step::Remove(way.removes));
+            self.stop(way.next);
+        }
+        self.extend(way.next);
+        self.path.len = steps;
+        self.matching.remove(way.adds);
+        if removes {
+            self.matching.add(way.removes);
+        }
     }
 }

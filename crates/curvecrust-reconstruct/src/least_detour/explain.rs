@@ -3,85 +3,119 @@
 use curvecrust_geometry::{Edge, PointId};
 
 use super::Solver;
+use super::constants::EXPLAINED_CANDIDATES;
 use super::exchange::{Exchange, Search};
-use super::path::Step;
+use super::plan::{Bounds, Plan};
 use crate::explanation::{ExplainedEdge, Explanation, FreeEnd, Reason, Rejected};
 
-impl Solver<'_> {
+impl<'a> Solver<'a> {
     pub(super) fn explanation(mut self) -> Explanation {
-        let edges = self.matching.edges();
-        let edges = edges.edges().iter();
-        let mut edges: Vec<ExplainedEdge> = edges.filter_map(|&edge| self.explain(edge)).collect();
+        let certified = self.certificates.edges();
+        let certified = certified.filter_map(|[v, w]| {
+            let edge = self.in_callers_ids(Edge::new(v.into(), w.into())?)?;
+            let reason = Reason::Certified;
+            let margin = None;
+            Some(ExplainedEdge {
+                edge,
+                reason,
+                margin,
+            })
+        });
+        let mut edges: Vec<ExplainedEdge> = certified.collect();
+        let arcs: Vec<usize> = self.matching.edges().collect();
+        edges.extend(arcs.into_iter().filter_map(|arc| self.explain(arc)));
         edges.sort_unstable_by_key(|explained| explained.edge);
-        let free_ends = self
-            .points
-            .ids()
-            .filter_map(|point| self.explain_free_end(point));
+        let nodes = self.graph.nodes();
+        let free_ends = nodes.filter_map(|node| self.explain_free_end(node));
         let mut free_ends: Vec<FreeEnd> = free_ends.collect();
         free_ends.sort_unstable_by_key(|end| end.point);
         Explanation { edges, free_ends }
     }
 
-    fn explain(&mut self, edge: Edge) -> Option<ExplainedEdge> {
-        let [v, w] = edge.ends().map(u32::from);
-        let named = self.in_callers_ids(edge)?;
-        if self.matching.is_certified(v, w) {
-            return Some(ExplainedEdge {
-                edge: named,
-                reason: Reason::Certified,
-                margin: None,
-            });
-        }
+    /// Explains the edge of an arc.
+    fn explain(&mut self, arc: usize) -> Option<ExplainedEdge> {
+        let [v, w] = self.graph.ends(arc);
+        let [a, b] = [v, w].map(|node| self.graph.point(node).into());
+        let edge = Edge::new(a, b)?;
         let reason = if self.completed.contains(edge) {
             Reason::Completed
         } else {
             Reason::Exchanged
         };
-        // A path has a direction: it seeks a new partner for t2.
-        let mut removing = |t1, t2| {
-            let search = Search::below(f64::INFINITY, &mut self.matching, &self.candidates);
-            search.removing(t1, t2).best().map(|found| found.cost)
-        };
-        let margins = [removing(v, w), removing(w, v)];
         Some(ExplainedEdge {
-            edge: named,
+            edge: self.in_callers_ids(edge)?,
             reason,
-            // The search for improvements leaves some paths aside that this one follows.
-            margin: margins
-                .into_iter()
-                .flatten()
-                .reduce(f64::min)
-                .map(|margin| margin.max(0.0)),
+            margin: self.margin(v, arc),
         })
     }
 
-    fn explain_free_end(&mut self, point: PointId) -> Option<FreeEnd> {
-        let v = u32::from(point);
+    /// What the best edges without the edge of an arc cost more.
+    fn margin(&mut self, v: u32, arc: usize) -> Option<f64> {
+        let (graph, plan) = (self.graph, Plan::within(Bounds::Avoid(arc)));
+        // A path has a direction: it seeks a new partner for t2.
+        let either = [(v, arc), (graph.target(arc), graph.twin(arc))];
+        let found = either.map(|(t1, arc)| self.search(plan).removing(t1, arc).best());
+        let costs = found.into_iter().flatten();
+        let costs = costs.map(|exchange| self.cost_after(exchange, plan));
+        costs.reduce(f64::min)
+    }
+
+    fn explain_free_end(&mut self, v: u32) -> Option<FreeEnd> {
+        if self.graph.is_saturated(v) {
+            return None;
+        }
         let count = u8::try_from(self.matching.free_ends(v))
             .ok()
             .filter(|&n| n > 0)?;
-        let search = Search::below(f64::INFINITY, &mut self.matching, &self.candidates);
-        let found = search.adding_at(v).best();
-        let rejected = found.and_then(|found| self.rejected(v, &found));
         Some(FreeEnd {
-            point: self.ids[point.index()],
+            point: self.callers_id(v),
             count,
             penalty: self.matching.cost(v, 0),
-            rejected,
+            rejected: self.rejected(v),
         })
     }
 
-    /// The first partner that the exchange gives to the point.
-    fn rejected(&self, v: u32, exchange: &Exchange) -> Option<Rejected> {
-        let partner_of_v = |step: &Step| match *step {
-            Step::Add(a, b) if a == v => Some(b),
-            Step::Add(a, b) if b == v => Some(a),
-            _ => None,
-        };
-        let partner = exchange.path.steps().iter().find_map(partner_of_v)?;
-        Some(Rejected {
-            partner: self.ids[partner as usize],
-            cost: exchange.cost.max(0.0),
-        })
+    /// The partner that costs least of those that a node with a free end might also have.
+    fn rejected(&mut self, v: u32) -> Option<Rejected> {
+        let (graph, plan) = (self.graph, Plan::within(Bounds::Keep(v)));
+        let own = self.matching.arcs(v);
+        let others = graph.of(v).filter(|arc| !own.contains(arc));
+        let mut best: Option<Rejected> = None;
+        for arc in others.take(EXPLAINED_CANDIDATES) {
+            let Some(exchange) = self.search(plan).adding(v, arc).best() else {
+                continue;
+            };
+            let cost = self.cost_after(exchange, plan);
+            if best.is_none_or(|best| cost < best.cost) {
+                let partner = self.callers_id(graph.target(arc));
+                best = Some(Rejected { partner, cost });
+            }
+        }
+        best
+    }
+
+    /// A search for exchanges, whatever they cost.
+    fn search(&mut self, plan: Plan) -> Search<'_, 'a> {
+        Search::below(f64::INFINITY, &mut self.matching, plan)
+    }
+
+    /// What an exchange adds to the cost, together with those that it then makes worth while. The
+    /// matching is left as it was.
+    ///
+    /// Not below 0: the search for improvements leaves some paths aside that this one follows.
+    fn cost_after(&mut self, first: Exchange, plan: Plan) -> f64 {
+        self.apply(first.path.steps().iter().copied());
+        let touched = first.path.nodes(self.graph);
+        let mut exchanges = vec![first];
+        self.descend(touched, plan, |next| exchanges.push(next));
+        let cost: f64 = exchanges.iter().map(|exchange| exchange.cost).sum();
+        for exchange in exchanges.iter().rev() {
+            self.apply(exchange.path.undone());
+        }
+        cost.max(0.0)
+    }
+
+    fn callers_id(&self, v: u32) -> PointId {
+        self.ids[self.graph.point(v) as usize]
     }
 }

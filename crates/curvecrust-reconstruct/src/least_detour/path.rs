@@ -1,16 +1,16 @@
 //! Alternating paths: edges of a matching that are removed and added by turns.
 
 use super::constants::DEPTH;
-use super::matching::NONE;
+use super::search_graph::{NO_ARC, SearchGraph};
 
 /// The number of steps of the longest path: it may begin with two removals.
 const LONGEST: usize = 2 * DEPTH + 2;
 
-/// A step of a path.
+/// A step of a path, with an arc of the edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    Remove(u32, u32),
-    Add(u32, u32),
+    Remove(usize),
+    Add(usize),
 }
 
 /// Edges that are removed and added alternately.
@@ -22,7 +22,7 @@ pub(super) struct Path {
 
 impl Path {
     pub(super) const EMPTY: Self = Self {
-        steps: [Step::Remove(NONE, NONE); LONGEST],
+        steps: [Step::Remove(NO_ARC); LONGEST],
         len: 0,
     };
 
@@ -35,17 +35,28 @@ impl Path {
         self.len += 1;
     }
 
-    pub(super) fn removes(&self, v: u32, w: u32) -> bool {
-        let steps = self.steps().iter();
-        let mut removed = steps.filter_map(|step| match *step {
-            Step::Remove(a, b) => Some([a, b]),
-            Step::Add(..) => None,
-        });
-        removed.any(|ends| ends == [v, w] || ends == [w, v])
+    /// The steps that undo it.
+    pub(super) fn undone(&self) -> impl Iterator<Item = Step> + Clone + '_ {
+        self.steps().iter().map(|step| match *step {
+            Step::Remove(arc) => Step::Add(arc),
+            Step::Add(arc) => Step::Remove(arc),
+        })
     }
 
-    pub(super) fn adds(&self, v: u32, w: u32) -> bool {
-        let either = [Step::Add(v, w), Step::Add(w, v)];
+    /// The nodes that it touches, in its order.
+    pub(super) fn nodes(&self, graph: &SearchGraph<'_>) -> impl Iterator<Item = u32> {
+        self.steps().iter().flat_map(|step| match *step {
+            Step::Remove(arc) | Step::Add(arc) => graph.ends(arc),
+        })
+    }
+
+    pub(super) fn removes(&self, graph: &SearchGraph<'_>, arc: usize) -> bool {
+        let either = [arc, graph.twin(arc)].map(Step::Remove);
+        self.steps().iter().any(|step| either.contains(step))
+    }
+
+    pub(super) fn adds(&self, graph: &SearchGraph<'_>, arc: usize) -> bool {
+        let either = [arc, graph.twin(arc)].map(Step::Add);
         self.steps().iter().any(|step| either.contains(step))
     }
 }

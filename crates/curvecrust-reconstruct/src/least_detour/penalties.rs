@@ -1,132 +1,99 @@
-//! The penalties of free ends: a multiple of the expected length of an edge.
-
-use curvecrust_geometry::{DVec2, PointSet};
+//! The penalties of free ends: minus the logarithm of how likely a curve ends, or a point is left
+//! alone.
 
 use super::candidates::Candidates;
-use super::certificates::{CrustGraph, HnnGraph};
+use super::certificates::Certificates;
 use super::constants::{
-    AHEAD_COSINE, CONTINUATION_NEIGHBOURS, EVEN_RATIO, PENALTY, RUN_EDGES, RUN_PENALTY,
-    SPACING_NEIGHBOURS, STRAIGHT_COSINE, TRUSTED_DETOUR, UNEVEN_RATIO,
+    AHEAD_COSINE, ASIDE, CONTINUATION_NEIGHBOURS, END, ISOLATED, LAST_END, LEAST_ISOLATED, OUTLIER,
+    POSSIBLE_DETOUR, RUN_END, SPARSE, STRAIGHT_COSINE, UNEVEN,
 };
-use super::matching::{Matching, Penalty};
-use crate::detour::detour;
+use super::hnn_graph::HnnGraph;
+use super::measure::Measure;
+
+/// What the free ends of a point cost.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Penalty {
+    /// One free end: the point has one edge.
+    pub(super) one: f64,
+    /// Two free ends: the point is isolated. At most twice as much.
+    pub(super) both: f64,
+}
 
 /// What the penalties of a point depend on.
 pub(super) struct PenaltyModel<'a> {
-    pub(super) points: &'a PointSet,
+    pub(super) measure: Measure<'a>,
     pub(super) candidates: &'a Candidates,
     pub(super) hnn: &'a HnnGraph<'a>,
-    pub(super) crust: &'a CrustGraph,
-    /// The certified edges.
-    pub(super) matching: &'a Matching<'a>,
-}
-
-/// Consecutive edges of HNN-Crust that end at a point.
-struct Run {
-    /// The last point before it.
-    previous: u32,
-    /// The mean length of the edges, or the length of the last one if it is longer.
-    spacing: f64,
+    pub(super) log_spacings: &'a [f64],
+    pub(super) certificates: &'a Certificates<'a>,
 }
 
 impl PenaltyModel<'_> {
     /// The penalties of every point; 0 at points that certified edges saturate.
     pub(super) fn penalties(&self) -> Vec<Penalty> {
+        let points = (0u32..).take(self.log_spacings.len());
         let penalty = |v| {
-            if self.matching.is_saturated(v) {
+            if self.certificates.saturate(v) {
                 Penalty::default()
             } else {
-                self.penalty(v)
+                let one = self.end(v);
+                Penalty {
+                    one,
+                    both: self.isolated(v).min(2.0 * one),
+                }
             }
         };
-        (0u32..).take(self.points.len()).map(penalty).collect()
+        points.map(penalty).collect()
     }
 
-    /// The expected length of an edge is the longest of the spacings of the two closest candidates
-    /// and of the trusted edges at the point. The penalty of a free end is [`PENALTY`] times that,
-    /// or times the distance to the nearest neighbour if that is longer. At the end of an even run
-    /// it is at most [`RUN_PENALTY`] times the spacing of the run. Two free ends cost twice as
-    /// much, but no more than one at a point that continues no neighbour.
-    fn penalty(&self, v: u32) -> Penalty {
-        let closest = self.candidates.of(v).iter().take(SPACING_NEIGHBOURS);
-        let around = closest.map(|&w| self.spacing(w)).fold(0.0, f64::max);
-        let expected = around.max(self.longest_trusted(v));
-        let usual = PENALTY * expected.max(self.to_nearest(v));
-        let both = if self.continues_a_neighbour(v) {
-            usual.max(2.0 * PENALTY * expected)
+    /// The penalty of one free end: less where a run ends, the less the more even it is. If the run
+    /// can go on nowhere, it ends here also where HNN-Crust turns aside by an edge that is clearly
+    /// longer than those of the run.
+    fn end(&self, v: u32) -> f64 {
+        let Some(run) = self.hnn.run_ending_at(v) else {
+            return END;
+        };
+        let mut neighbours = self.hnn.neighbours(v);
+        let aside = neighbours.find(|&w| w != run.previous);
+        let is_short = |w| self.measure.log_length(v, w) < run.mean + ASIDE.ln();
+        let least = if self.is_open_ahead(run.previous, v) && !aside.is_some_and(is_short) {
+            LAST_END
+        } else if aside.is_none() {
+            RUN_END
         } else {
-            usual
+            return END;
         };
-        let one = self
-            .run_ending_at(v)
-            .map_or(usual, |run| usual.min(RUN_PENALTY * run.spacing));
-        Penalty {
-            one,
-            both: both.min(2.0 * one),
-        }
+        END.min(least + UNEVEN * run.deviation)
     }
 
-    /// The length of an edge at a point as far as the point alone shows it: the distance to its
-    /// nearest neighbour, or its longest trusted edge.
-    fn spacing(&self, v: u32) -> f64 {
-        self.to_nearest(v).max(self.longest_trusted(v))
-    }
-
-    fn to_nearest(&self, v: u32) -> f64 {
-        let nearest = self.candidates.of(v).first();
-        nearest.map_or(0.0, |&w| self.distance(v, w))
-    }
-
-    /// The length of the longest trusted edge at a point; 0 if there is none. HNN-Crust finds a
-    /// trusted edge, or the one-step crust between points that are not saturated; and it continues
-    /// at both ends, by edges of the same graph, with turns of a rho-sample.
-    fn longest_trusted(&self, v: u32) -> f64 {
-        let by_hnn = self.longest_continuing(v, |v| self.hnn.neighbours(v));
-        by_hnn.max(self.longest_continuing(v, |v| self.crust.neighbours(v)))
-    }
-
-    fn longest_continuing<N: Iterator<Item = u32>>(
-        &self,
-        v: u32,
-        neighbours: impl Fn(u32) -> N + Copy,
-    ) -> f64 {
-        let edges = neighbours(v).filter(|&w| {
-            self.hnn
-                .continues_at_both_ends([v, w], neighbours, may_be_consecutive)
-        });
-        edges.map(|w| self.distance(v, w)).fold(0.0, f64::max)
-    }
-
-    /// The even run that ends at a point: it is the only one that leads there, no point that may
-    /// become a partner lies ahead, and no trusted edge is much longer.
-    fn run_ending_at(&self, v: u32) -> Option<Run> {
-        let mut runs = self.hnn.neighbours(v).filter_map(|w| self.run(v, w));
-        let run = runs.next().filter(|_| runs.next().is_none())?;
+    /// Whether no point that may become a partner lies ahead.
+    fn is_open_ahead(&self, previous: u32, v: u32) -> bool {
         let others = self.candidates.of(v).iter();
-        let mut others = others.filter(|&&w| w != run.previous && !self.matching.is_saturated(w));
-        let continues = others.any(|&w| self.turns_less(AHEAD_COSINE, run.previous, v, w));
-        let is_uneven = self.longest_trusted(v) > UNEVEN_RATIO * run.spacing;
-        (!continues && !is_uneven).then_some(run)
+        let mut others = others.filter(|&&w| w != previous && !self.certificates.saturate(w));
+        !others.any(|&w| self.measure.turns_less(AHEAD_COSINE, previous, v, w))
     }
 
-    /// The even run whose last edge leads from `previous` to `v`.
-    fn run(&self, v: u32, previous: u32) -> Option<Run> {
-        let [mut to, mut at] = [v, previous];
-        let last = self.distance(v, previous);
-        let (mut least, mut most, mut sum) = (last, last, last);
-        for _ in 1..RUN_EDGES {
-            let from = self.hnn.neighbours(at).find(|&w| w != to)?;
-            if !self.turns_less(AHEAD_COSINE, to, at, from) {
-                return None;
-            }
-            [to, at] = [at, from];
-            let length = self.distance(to, at);
-            least = least.min(length);
-            most = most.max(length);
-            sum += length;
-        }
-        let spacing = last.max(sum / RUN_EDGES as f64);
-        (most <= EVEN_RATIO * least).then_some(Run { previous, spacing })
+    /// The penalty of an isolated point: less if no curve continues to it, and if points are
+    /// sparser there than around it.
+    fn isolated(&self, v: u32) -> f64 {
+        let usual = if self.continues_a_neighbour(v) {
+            ISOLATED
+        } else {
+            OUTLIER
+        };
+        (usual - SPARSE * self.excess_of_spacing(v)).max(LEAST_ISOLATED)
+    }
+
+    /// By how much the logarithm of the spacing exceeds the lower quartile of those of the
+    /// candidates; 0 if it does not.
+    fn excess_of_spacing(&self, v: u32) -> f64 {
+        let candidates = self.candidates.of(v).iter();
+        let mut around: Vec<f64> = candidates.map(|&w| self.log_spacings[w as usize]).collect();
+        around.sort_unstable_by(f64::total_cmp);
+        let Some(last) = around.len().checked_sub(1) else {
+            return 0.0;
+        };
+        (self.log_spacings[v as usize] - around[last / 4]).max(0.0)
     }
 
     /// Whether the curve through some neighbour may continue to this point. The neighbour is a
@@ -141,32 +108,24 @@ impl PenaltyModel<'_> {
             };
             let is_passed_straight = others().any(|p| {
                 let mut next = others().filter(|&q| q != p);
-                next.any(|q| self.turns_less(STRAIGHT_COSINE, p, w, q))
+                next.any(|q| self.measure.turns_less(STRAIGHT_COSINE, p, w, q))
             });
-            let leads_to_v = |u| may_be_consecutive(self.vector(w, u), self.vector(w, v));
+            let leads_to_v = |u| self.is_possible(u, w, v);
             !is_passed_straight && (others().next().is_none() || others().any(leads_to_v))
         };
         let mut neighbours = self.candidates.of(v).iter().copied();
-        neighbours.any(|w| !self.matching.is_saturated(w) && continues_to_v(w))
+        neighbours.any(|w| !self.certificates.saturate(w) && continues_to_v(w))
     }
 
-    /// Whether the path p, v, q turns by no more than the angle with this cosine.
-    fn turns_less(&self, cosine: f64, p: u32, v: u32, q: u32) -> bool {
-        let (a, b) = (self.vector(p, v), self.vector(v, q));
-        a.dot(b) >= cosine * a.length() * b.length()
+    /// Whether p, v and q may be consecutive in a rho-sample: the detour |pv| + |vq| - |pq|, which
+    /// is twice the shorter edge where the curve turns back, is not too large.
+    ///
+    /// In a form whose error is relative to the shorter edge.
+    fn is_possible(&self, p: u32, v: u32, q: u32) -> bool {
+        let (a, b) = (self.measure.vector(v, p), self.measure.vector(v, q));
+        let (a_length, b_length) = (a.length(), b.length());
+        let around = a_length + b_length + a.distance(b);
+        let detour = 2.0 * (a_length * b_length + a.dot(b)) / around;
+        detour <= POSSIBLE_DETOUR * a_length.min(b_length)
     }
-
-    fn vector(&self, v: u32, w: u32) -> DVec2 {
-        let [v, w] = [v, w].map(|id| self.points.points()[id as usize]);
-        w - v
-    }
-
-    fn distance(&self, v: u32, w: u32) -> f64 {
-        self.vector(v, w).length()
-    }
-}
-
-/// Whether two edges with these vectors from their common point may be consecutive in a rho-sample.
-fn may_be_consecutive(a: DVec2, b: DVec2) -> bool {
-    detour(DVec2::ZERO, a, b) <= TRUSTED_DETOUR * a.length().min(b.length())
 }
