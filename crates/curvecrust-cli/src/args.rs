@@ -313,6 +313,14 @@ pub(crate) struct Reading {
     /// Take equal points for one, instead of refusing them
     #[arg(long, requires = "points")]
     pub(crate) merge_duplicates: bool,
+    /// Take points within a distance for one: a length, or a share of the points' extent, as 0.001%
+    #[arg(
+        long,
+        value_name = "LENGTH|PERCENT",
+        requires = "points",
+        conflicts_with = "merge_duplicates"
+    )]
+    pub(crate) merge_within: Option<Distance>,
 }
 
 /// Where a result goes.

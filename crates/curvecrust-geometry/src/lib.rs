@@ -2,7 +2,8 @@
 //!
 //! | module | types | what they promise |
 //! |---|---|---|
-//! | [`point_set`] | [`PointSet`], [`MergedPoints`] | finite, distinct points that exact predicates can carry |
+//! | [`point_set`] | [`PointSet`] | finite, distinct points that exact predicates can carry |
+//! | [`merged_points`] | [`MergedPoints`] | points of which several may stand for one |
 //! | [`point_id`] | [`PointId`] | the index of a point in its set |
 //! | [`edge_set`] | [`EdgeSet`], [`Edge`] | sorted, unique, undirected edges |
 //! | [`component`] | [`Component`] | points in order along a curve that is open or closed |
@@ -27,6 +28,7 @@ pub mod component;
 mod data;
 pub mod edge_set;
 mod hilbert;
+pub mod merged_points;
 pub mod point_id;
 pub mod point_set;
 pub mod predicates;
@@ -42,8 +44,9 @@ pub use chains::Chain;
 pub use component::Component;
 pub use edge_set::{Edge, EdgeSet};
 pub use glam::{self, DVec2};
+pub use merged_points::MergedPoints;
 pub use point_id::PointId;
-pub use point_set::{MergedPoints, PointSet, PointSetError};
+pub use point_set::{PointSet, PointSetError};
 pub use predicates::{in_circle, orient2d};
 pub use progress::Progress;
 pub use random::Random;

@@ -30,24 +30,6 @@ pub struct PointSet {
     points: Vec<DVec2>,
 }
 
-/// A [`PointSet`] without the duplicates of its input, and where each input point went.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct MergedPoints {
-    /// The distinct points, in the order of their first appearance.
-    pub points: PointSet,
-    /// For every input index the id of the point that represents it.
-    pub representative: Vec<PointId>,
-}
-
-impl MergedPoints {
-    /// The number of input points that were merged into an earlier one.
-    #[must_use]
-    pub fn duplicates(&self) -> usize {
-        self.representative.len() - self.points.len()
-    }
-}
-
 /// Why points do not form a [`PointSet`].
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -90,6 +72,12 @@ pub enum PointSetError {
         /// Their y coordinate.
         y: f64,
     },
+    /// A distance within which points are merged is negative, infinite or NaN.
+    #[error("points cannot be merged within {distance}: give a length of 0 or more")]
+    Distance {
+        /// The distance given.
+        distance: f64,
+    },
     /// There are more points than ids.
     #[error("{count} points, but a point set holds at most {}", u32::MAX - 1)]
     TooMany {
@@ -99,8 +87,8 @@ pub enum PointSetError {
 }
 
 impl PointSet {
-    /// Points of a set in another order.
-    pub(crate) fn reordered(points: Vec<DVec2>) -> Self {
+    /// Points that are known to be valid: of a set, in another order or without some.
+    pub(crate) fn of_valid(points: Vec<DVec2>) -> Self {
         Self { points }
     }
 
@@ -147,41 +135,6 @@ impl PointSet {
         points: impl IntoIterator<Item = P>,
     ) -> Result<Self, PointSetError> {
         Self::new(points.into_iter().map(Into::into).collect())
-    }
-
-    /// Takes points among which some may be equal: each group is represented by its first member.
-    ///
-    /// ```
-    /// use curvecrust_geometry::{DVec2, PointSet};
-    ///
-    /// let merged = PointSet::merging_duplicates(vec![DVec2::X, DVec2::Y, DVec2::X])?;
-    /// assert_eq!(merged.points.points(), [DVec2::X, DVec2::Y]);
-    /// assert_eq!(merged.representative[2], merged.representative[0]);
-    /// # Ok::<(), curvecrust_geometry::PointSetError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// The first coordinate that is not finite or out of range, by index.
-    pub fn merging_duplicates(mut points: Vec<DVec2>) -> Result<MergedPoints, PointSetError> {
-        validate(&mut points)?;
-        let mut first_of: Vec<usize> = (0..points.len()).collect();
-        for (first, second) in duplicates(&points) {
-            first_of[second] = first;
-        }
-        let mut kept = Vec::with_capacity(points.len());
-        let mut representative: Vec<PointId> = Vec::with_capacity(points.len());
-        for (index, &first) in first_of.iter().enumerate() {
-            if first == index {
-                representative.push(id_of(kept.len()));
-                kept.push(points[index]);
-            } else {
-                representative.push(representative[first]);
-            }
-        }
-        Ok(MergedPoints {
-            points: Self { points: kept },
-            representative,
-        })
     }
 
     /// The number of points.
@@ -266,11 +219,11 @@ pub fn by_coordinates(a: DVec2, b: DVec2) -> Ordering {
     clippy::cast_possible_truncation,
     reason = "validate() bounds the count"
 )]
-fn id_of(index: usize) -> PointId {
+pub(crate) fn id_of(index: usize) -> PointId {
     PointId::from(index as u32)
 }
 
-fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
+pub(crate) fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
     if points.len() >= u32::MAX as usize {
         return Err(PointSetError::TooMany {
             count: points.len(),
@@ -294,7 +247,7 @@ fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
 }
 
 /// For every point that equals an earlier one: the first index of its group, and its own.
-fn duplicates(points: &[DVec2]) -> Vec<(usize, usize)> {
+pub(crate) fn duplicates(points: &[DVec2]) -> Vec<(usize, usize)> {
     let mut order: Vec<u32> = points
         .iter()
         .enumerate()

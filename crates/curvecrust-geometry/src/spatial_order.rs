@@ -65,7 +65,7 @@ pub fn hilbert_order(points: &PointSet) -> Vec<PointId> {
 pub fn in_hilbert_order(points: &PointSet) -> (PointSet, Vec<PointId>) {
     let ids = hilbert_order(points);
     let reordered = ids.iter().map(|&id| points[id]).collect();
-    (PointSet::reordered(reordered), ids)
+    (PointSet::of_valid(reordered), ids)
 }
 
 /// The index of a point, beside its key in the upper half.

@@ -86,6 +86,9 @@ pub struct ReconstructOptions<'a> {
     /// Whether equal points count as one, which the first of them stands for. Otherwise they are an
     /// error.
     pub merge_duplicates: bool,
+    /// A distance within which points count as one, if any; 0 is for equal points. The points that
+    /// stay are farther apart ([`PointSet::merging_within`]).
+    pub merge_within: Option<f64>,
 }
 
 impl Default for ReconstructOptions<'_> {
@@ -96,6 +99,7 @@ impl Default for ReconstructOptions<'_> {
             curves: None,
             termini: &[],
             merge_duplicates: false,
+            merge_within: None,
         }
     }
 }
@@ -133,7 +137,7 @@ pub fn reconstruct_with<P: IntoPoint>(
     options: &ReconstructOptions<'_>,
 ) -> Result<Curves, Error> {
     let points = points.into_iter().map(IntoPoint::into_point).collect();
-    let input = Input::new(points, options.merge_duplicates)?;
+    let input = Input::new(points, options)?;
     let known = Known {
         shape: options.shape,
         curves: options.curves,
@@ -153,24 +157,21 @@ struct Input {
 }
 
 impl Input {
-    fn new(points: Vec<DVec2>, merge_duplicates: bool) -> Result<Self, Error> {
-        if !merge_duplicates {
-            return Ok(Self {
-                points: PointSet::new(points)?,
-                indices: Vec::new(),
-                ids: Vec::new(),
-            });
-        }
-        let merged = PointSet::merging_duplicates(points)?;
-        let mut indices = Vec::with_capacity(merged.points.len());
-        for (index, id) in merged.representative.iter().enumerate() {
-            if id.index() == indices.len() {
-                indices.push(index);
+    fn new(points: Vec<DVec2>, options: &ReconstructOptions<'_>) -> Result<Self, Error> {
+        let merged = match (options.merge_within, options.merge_duplicates) {
+            (Some(distance), _) => PointSet::merging_within(points, distance)?,
+            (None, true) => PointSet::merging_duplicates(points)?,
+            (None, false) => {
+                return Ok(Self {
+                    points: PointSet::new(points)?,
+                    indices: Vec::new(),
+                    ids: Vec::new(),
+                });
             }
-        }
+        };
         Ok(Self {
             points: merged.points,
-            indices,
+            indices: merged.origin,
             ids: merged.representative,
         })
     }
@@ -195,7 +196,7 @@ impl Input {
         indices.iter().map(id).collect()
     }
 
-    /// Pairs of an index and the index of the earlier point that it equals.
+    /// Pairs of an index and the index of the point that stands for it.
     fn duplicates(&self) -> Vec<[usize; 2]> {
         let places = self.ids.iter().enumerate();
         let pairs = places.map(|(index, &id)| [index, self.index(id)]);

@@ -4,10 +4,10 @@ use crate::console::Console;
 use crate::format::Format;
 use crate::number::Number;
 use crate::points::{self, ColumnNames};
-use crate::{args, input};
+use crate::{args, args::Distance, input};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
-use curvecrust::geometry::{PointId, PointSet, PointSetError};
+use curvecrust::geometry::{MergedPoints, PointId, PointSet, PointSetError};
 use std::path::PathBuf;
 
 /// A file of points, and how it is read.
@@ -22,10 +22,12 @@ pub(crate) struct PointSource {
 }
 
 /// What is done with equal points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Duplicates {
     Refuse,
     Merge,
+    /// And with points that are nearly equal.
+    MergeWithin(Distance),
 }
 
 /// Distinct points, and the rows of the input that they come from.
@@ -43,8 +45,10 @@ pub(crate) struct BarePoints {
 struct Merged {
     /// The point of each row.
     point_of: Vec<PointId>,
-    /// The first row of each point.
+    /// The row that each point comes from.
     row_of: Vec<u32>,
+    /// The coordinates of every row; `None` where they are those of its point.
+    rows: Option<Vec<DVec2>>,
 }
 
 impl From<args::Points> for PointSource {
@@ -60,11 +64,12 @@ impl PointSource {
             x,
             y,
             merge_duplicates,
+            merge_within,
         } = reading;
-        let duplicates = if merge_duplicates {
-            Duplicates::Merge
-        } else {
-            Duplicates::Refuse
+        let duplicates = match merge_within {
+            Some(distance) => Duplicates::MergeWithin(distance),
+            None if merge_duplicates => Duplicates::Merge,
+            None => Duplicates::Refuse,
         };
         Self {
             path,
@@ -91,6 +96,7 @@ impl PointSource {
         } = list;
         let bare = match self.duplicates {
             Duplicates::Merge => BarePoints::merging(rows),
+            Duplicates::MergeWithin(distance) => BarePoints::merging_within(rows, distance),
             Duplicates::Refuse if repeats_its_start(&rows) => {
                 notes.push("the last point repeats the first, which stands for both".to_owned());
                 BarePoints::closing(rows)
@@ -113,21 +119,44 @@ fn repeats_its_start(rows: &[DVec2]) -> bool {
 impl BarePoints {
     fn merging(rows: Vec<DVec2>) -> anyhow::Result<Self> {
         let found = PointSet::merging_duplicates(rows)?;
-        let merged = (found.duplicates() > 0).then(|| Merged::new(found.representative));
-        Ok(Self {
+        Ok(Self::merged(found, None))
+    }
+
+    fn merging_within(rows: Vec<DVec2>, distance: Distance) -> anyhow::Result<Self> {
+        let bounds = rows.iter().fold(None, |bounds, &row| {
+            let (low, high) = bounds.unwrap_or((row, row));
+            Some((row.min(low), row.max(high)))
+        });
+        let extent = bounds.map_or(0.0, |(low, high)| (high - low).max_element());
+        let found = PointSet::merging_within(rows.clone(), distance.of_extent(extent))?;
+        Ok(Self::merged(found, Some(rows)))
+    }
+
+    /// With the rows, where they are not those of the points that stand for them.
+    fn merged(found: MergedPoints, rows: Option<Vec<DVec2>>) -> Self {
+        let merged = (found.duplicates() > 0).then(|| Merged {
+            point_of: found.representative,
+            row_of: found.origin.into_iter().map(row_number).collect(),
+            rows,
+        });
+        Self {
             points: found.points,
             merged,
-        })
+        }
     }
 
     /// Points of which the last equals the first.
     fn closing(mut rows: Vec<DVec2>) -> anyhow::Result<Self> {
         rows.pop();
         let Self { points, .. } = Self::distinct(rows)?;
-        let point_of = points.ids().chain(points.ids().take(1)).collect();
+        let merged = Merged {
+            point_of: points.ids().chain(points.ids().take(1)).collect(),
+            row_of: points.ids().map(u32::from).collect(),
+            rows: None,
+        };
         Ok(Self {
             points,
-            merged: Some(Merged::new(point_of)),
+            merged: Some(merged),
         })
     }
 
@@ -159,7 +188,7 @@ impl BarePoints {
         }
     }
 
-    /// The row of a point: the first, if several were merged.
+    /// The row of a point: the one that stands for all, if several were merged.
     pub(crate) fn row(&self, point: PointId) -> u32 {
         match &self.merged {
             Some(merged) => merged.row_of[point.index()],
@@ -181,13 +210,16 @@ impl BarePoints {
     /// The coordinates of every row.
     pub(crate) fn rows(&self) -> impl Iterator<Item = DVec2> + '_ {
         let at = |row: usize| match &self.merged {
+            Some(Merged {
+                rows: Some(rows), ..
+            }) => rows[row],
             Some(merged) => self.points[merged.point_of[row]],
             None => self.points.points()[row],
         };
         (0..self.row_count()).map(at)
     }
 
-    /// The rows that were merged into an earlier one, each with that.
+    /// The rows that another one stands for, each with that.
     pub(crate) fn duplicates(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.merged.iter().flat_map(|merged| {
             let rows = (0u32..).zip(&merged.point_of);
@@ -197,15 +229,7 @@ impl BarePoints {
     }
 }
 
-impl Merged {
-    fn new(point_of: Vec<PointId>) -> Self {
-        let mut row_of = Vec::new();
-        // Points are numbered in the order of their first appearance.
-        for (row, point) in (0u32..).zip(&point_of) {
-            if point.index() == row_of.len() {
-                row_of.push(row);
-            }
-        }
-        Self { point_of, row_of }
-    }
+/// The number of a row: point sets hold no more than such numbers.
+fn row_number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

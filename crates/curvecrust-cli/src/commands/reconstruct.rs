@@ -1,5 +1,6 @@
 //! `curvecrust reconstruct`: points to curves.
 
+mod hints;
 mod polygons;
 mod result;
 mod summary;
@@ -61,8 +62,12 @@ impl Job {
             }
         })?;
         let summary = Summary::new(&bare, &edges, &known.termini);
+        let hints = hints::hints(&bare, &edges);
         console.during("writing", |_| self.write(&bare, &known, edges, why))?;
         console.note(summary);
+        for hint in hints {
+            console.note(hint);
+        }
         Ok(Outcome::Fine)
     }
 

@@ -247,3 +247,59 @@ fn every_edge_and_every_open_end_has_its_reason() {
         refused.stderr
     );
 }
+
+#[test]
+fn points_that_are_nearly_equal_are_named_and_merged() {
+    let folder = Folder::new();
+    let circle = |scale: f64| {
+        (0..40).map(move |i| {
+            let angle = f64::from(i) * std::f64::consts::TAU / 40.0;
+            format!("{} {}\n", scale * angle.cos(), scale * angle.sin())
+        })
+    };
+    let near: String = circle(1.0).chain(circle(1.0 + 1e-9).take(3)).collect();
+    folder.write("near.xy", &near);
+    let run = folder.run("reconstruct near.xy");
+    assert!(
+        run.stderr.contains(
+            "points 0 and 40 are only 1.0e-9 apart, less than a millionth of the spacing, \
+             and 2 more such pairs: --merge-within takes such points for one"
+        ),
+        "{}",
+        run.stderr
+    );
+    for within in ["1e-7", "0.001%"] {
+        let run = folder.run(&format!(
+            "reconstruct near.xy --merge-within {within} --json"
+        ));
+        assert_eq!(
+            run.stderr,
+            "40 points (3 duplicates merged), 40 edges: 1 chain, 1 ring, 0 leaves, 0 isolated points, \
+             0 violations\n"
+        );
+        let found = json(&run.fine());
+        // Those of smaller x stand, and every row keeps its place.
+        assert_eq!(found["points"].as_array().unwrap().len(), 43);
+        assert_ne!(found["points"][0], found["points"][40]);
+        assert_eq!(found["duplicates"][0], json!({ "point": 40, "same_as": 0 }));
+    }
+}
+
+#[test]
+fn points_that_scatter_are_said_to() {
+    let folder = Folder::new();
+    let noisy: String = (0_u32..200)
+        .map(|i| {
+            let angle = f64::from(i) * std::f64::consts::TAU / 200.0;
+            let radius = 1.0 + 0.15 * f64::from((17 * i * i + 5 * i) % 101) / 101.0;
+            format!("{} {}\n", radius * angle.cos(), radius * angle.sin())
+        })
+        .collect();
+    folder.write("noisy.xy", &noisy);
+    let run = folder.run("reconstruct noisy.xy");
+    assert!(
+        run.stderr.contains("may scatter about their curves"),
+        "{}",
+        run.stderr
+    );
+}
