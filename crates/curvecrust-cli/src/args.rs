@@ -65,8 +65,11 @@ pub(crate) struct Sample {
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Count::Fewest)]
     pub(crate) count: Count,
     /// What to do where a curve has corners
-    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Refuse)]
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
     pub(crate) corners: Corners,
+    /// Join gaps and leave out segments up to this share of the drawing, where corners are split
+    #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
+    pub(crate) snap: f64,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout

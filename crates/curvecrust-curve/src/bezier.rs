@@ -156,6 +156,14 @@ impl CubicBezier {
     }
 
     /// The segment up to t = 1/2, and from there.
+    /// With another end near its own. The handle goes along, so that the tangent stays; one without
+    /// length keeps none.
+    pub(crate) fn ending_at(&self, end: DVec2) -> Self {
+        let [p0, p1, p2, p3] = self.control_points();
+        let moved = |p: DVec2, other: DVec2| if p == p3 { end } else { other };
+        Self::new([p0, moved(p1, p1), moved(p2, p2 + end - p3), end])
+    }
+
     pub(crate) fn halves(&self) -> [Self; 2] {
         let [p0, p1, p2, p3] = self.control;
         let [a, b, c] = [p0.midpoint(p1), p1.midpoint(p2), p2.midpoint(p3)];

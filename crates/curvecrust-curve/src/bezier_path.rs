@@ -36,16 +36,41 @@ impl BezierPath {
         };
         let gap = first.start() - last.end();
         if gap.length() <= CLOSING_GAP * (high - low).max_element() {
-            // The handle goes along, so that the tangent stays; one without length keeps none.
-            let [p0, p1, p2, p3] = last.control_points();
-            let snapped = |p: DVec2, other: DVec2| if p == p3 { first.start() } else { other };
-            *last = CubicBezier::new([p0, snapped(p1, p1), snapped(p2, p2 + gap), first.start()]);
+            *last = last.ending_at(first.start());
             path.closed = true;
         } else if z {
             let closing = CubicBezier::line(last.end(), first.start());
             segments.push(closing);
         }
         path
+    }
+
+    /// The path without segments that are no longer than a tolerance, and closed if its ends are no
+    /// farther apart; with the places that were joined so. The segment before such a gap ends where
+    /// the next one starts. A path that is as short as a whole stays as it is.
+    pub(crate) fn snapped(self, tolerance: f64) -> (Self, Vec<DVec2>) {
+        let length = |s: &CubicBezier| s.arms().iter().map(|arm| arm.length()).sum::<f64>();
+        let is_crumb = |s: &CubicBezier| length(s) <= tolerance;
+        let mut kept: Vec<CubicBezier> = self.segments.clone();
+        kept.retain(|s| !is_crumb(s));
+        let (Some(first), Some(last)) = (kept.first(), kept.last()) else {
+            return (self, Vec::new());
+        };
+        let closed =
+            self.closed || kept.len() > 1 && first.start().distance(last.end()) <= tolerance;
+        let mut places = Vec::new();
+        for index in 0..kept.len() {
+            let next = match kept.get(index + 1) {
+                Some(next) => next.start(),
+                None if closed => kept[0].start(),
+                None => break,
+            };
+            if kept[index].end() != next {
+                kept[index] = kept[index].ending_at(next);
+                places.push(next);
+            }
+        }
+        (Self::new(kept, closed), places)
     }
 
     /// The segments, in order along the path.

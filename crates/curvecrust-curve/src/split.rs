@@ -6,7 +6,7 @@
 use curvecrust_geometry::Component;
 use glam::DVec2;
 
-use crate::bezier::CubicBezier;
+use crate::bezier::{CubicBezier, bounds};
 use crate::bezier_path::BezierPath;
 use crate::curve::{Curve, checked};
 use crate::error::{Corner, CurveError};
@@ -33,16 +33,44 @@ pub struct SplitCurve {
     pieces: Curve,
     components: Vec<Component>,
     corners: Vec<Corner>,
+    snapped: Vec<DVec2>,
 }
 
 impl SplitCurve {
-    /// Splits components at their corners.
+    /// Segments that are no longer than this share of the extent of all components are rounding
+    /// errors of drawing programs: they are left out, and what they join is joined without them.
+    /// Open components whose ends are no farther apart are closed.
+    pub const SNAP: f64 = 1e-4;
+
+    /// Splits components at their corners, after joining gaps of rounding errors
+    /// ([`SNAP`](Self::SNAP)).
     ///
     /// # Errors
     /// Those of [`Curve::new`] other than [`CurveError::Corners`]. A cusp inside a segment stays an
     /// error: the radius of curvature goes to 0 towards it, and with it the local feature size of
     /// the pieces.
     pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
+        Self::snapping(components, Self::SNAP)
+    }
+
+    /// [`new`](Self::new) with another share than [`SNAP`](Self::SNAP), 0 for none.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn snapping(components: Vec<BezierPath>, share: f64) -> Result<Self, CurveError> {
+        let (low, high) = bounds(components.iter().flat_map(BezierPath::segments));
+        let tolerance = share * (high - low).max_element();
+        let mut snapped = Vec::new();
+        let join = |path: BezierPath| {
+            if tolerance > 0.0 {
+                let (path, places) = path.snapped(tolerance);
+                snapped.extend(places);
+                path
+            } else {
+                path
+            }
+        };
+        let components: Vec<BezierPath> = components.into_iter().map(join).collect();
         let (components, corners) = checked(&components)?;
         let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
         for (index, component) in components.into_iter().enumerate() {
@@ -62,6 +90,7 @@ impl SplitCurve {
             pieces: Curve::of_pieces(pieces),
             components: split,
             corners,
+            snapped,
         })
     }
 
@@ -78,7 +107,21 @@ impl SplitCurve {
     /// # Errors
     /// Those of [`Curve::from_svg`], but for [`CurveError::Corners`].
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        svg::parse(document, Self::new)
+        Self::from_svg_snapping(document, Self::SNAP)
+    }
+
+    /// [`from_svg`](Self::from_svg) with another share than [`SNAP`](Self::SNAP), 0 for none.
+    ///
+    /// # Errors
+    /// Those of [`from_svg`](Self::from_svg).
+    pub fn from_svg_snapping(document: &str, share: f64) -> Result<Self, CurveError> {
+        svg::parse(document, |components| Self::snapping(components, share))
+    }
+
+    /// Where gaps of rounding errors were joined, in the order of the components.
+    #[must_use]
+    pub fn snapped(&self) -> &[DVec2] {
+        &self.snapped
     }
 
     /// The pieces, each a component; they touch where they meet.

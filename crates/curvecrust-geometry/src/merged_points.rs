@@ -111,8 +111,8 @@ impl PointSet {
     }
 }
 
-/// The standing points that are not far behind in x, by y. They are farther apart than the distance,
-/// so that few are near any point.
+/// The standing points that are not far behind in x, by y. They are farther apart than the
+/// distance, so that few are near any point.
 #[derive(Default)]
 struct Strip {
     /// Their indices, by y and x.

@@ -9,11 +9,13 @@
 //!    most 2 |pm| from that piece: half of the distance is a lower bound of lfs. Between parallel
 //!    lines it is equal to lfs.
 //!
-//! A piece that meets this one in a corner c counts only where it comes nearer to p than
-//! sin 60° |pc|; straight arms that meet at 60° or more never do. This exception keeps lfs above 0
-//! at a corner, and theory ends there: the theorems on epsilon- and rho-samples hold for smooth
-//! curves, hence for every piece by itself. Whether a reconstruction gets round the corner is to be
-//! seen by running it.
+//! A piece that meets this one in a corner c counts only where it comes nearer to p than sin 60°
+//! |pc|; straight arms that meet at 60° or more never do. Where they meet at a smaller angle a, it
+//! counts where it comes nearer than 0.9 sin a |pc|, which straight arms never do either, and lfs
+//! is at most half of the length of each arm, so that straight ones get samples. This exception
+//! keeps lfs above 0 at a corner, and theory ends there: the theorems on epsilon- and rho-samples
+//! hold for smooth curves, hence for every piece by itself. Whether a reconstruction gets round the
+//! corner is to be seen by running it.
 //!
 //! The values are made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces,
 //! O(n^2 log n) in their boxes besides what the pieces cost by themselves.
@@ -27,8 +29,13 @@ use crate::discretise::{GAP_TO_LFS, MeasuredCurve, TOUCHING, refine_axis, settle
 use crate::error::MedialAxisError;
 use crate::lfs::LocalFeatureSize;
 
-/// sin 60°: HNN-Crust joins no edges that meet at a smaller angle.
+/// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
+const LEAST_ANGLE: f64 = 60.0;
+/// Its sine.
 const SINE: f64 = 0.866_025_403_784_438_6;
+
+/// Below this share of the distance between straight arms, arms of a sharper corner are near.
+const SHARP: f64 = 0.9;
 
 /// How [`measure_pieces_with`] goes about it.
 #[derive(Clone, Copy, Debug)]
@@ -171,23 +178,39 @@ struct Neighbour<'a> {
     outline: &'a Outline,
     /// No point of it is nearer to any of this piece.
     at_least: f64,
-    /// Where the two meet.
-    meetings: Vec<DVec2>,
+    /// Where the two meet, and how near it may come there without setting a bound: a share of the
+    /// distance to that place.
+    meetings: Vec<(DVec2, f64)>,
 }
 
 impl Neighbour<'_> {
+    /// Whether the two meet at less than 60 degrees.
+    fn meets_sharply(&self) -> bool {
+        self.meetings.iter().any(|&(_, share)| share < SINE)
+    }
+
     /// The bound that it sets to lfs at a point.
     fn bound(&self, p: DVec2) -> f64 {
         let Some((_, distance)) = self.outline.chords.nearest(p) else {
             return f64::INFINITY;
         };
-        let to_corner = self.meetings.iter().map(|c| c.distance(p));
-        let nearest = to_corner.fold(f64::INFINITY, f64::min);
-        if distance < SINE * nearest {
+        let free = self.meetings.iter().map(|(c, share)| share * c.distance(p));
+        if distance < free.fold(f64::INFINITY, f64::min) {
             distance / 2.0
         } else {
             f64::INFINITY
         }
+    }
+}
+
+/// How near an arm may come to the other one of a corner without setting a bound to lfs.
+fn share_at(split: &SplitCurve, at: DVec2) -> f64 {
+    let corner = split.corners().iter().find(|corner| corner.at == at);
+    let between_arms = corner.map_or(180.0, |corner| 180.0 - corner.angle_deg);
+    if between_arms < LEAST_ANGLE {
+        SHARP * between_arms.to_radians().sin()
+    } else {
+        SINE
     }
 }
 
@@ -216,6 +239,12 @@ impl Part {
                     let range = component.range.clone();
                     let points = &dense.points()[range.clone()];
                     let values = &mut values[range];
+                    if neighbours.iter().any(Neighbour::meets_sharply) {
+                        let length: f64 = points.windows(2).map(|p| p[0].distance(p[1])).sum();
+                        for value in &mut *values {
+                            *value = value.min(length / 2.0);
+                        }
+                    }
                     for (value, &p) in values.iter_mut().zip(points) {
                         for neighbour in neighbours {
                             if neighbour.at_least / 2.0 >= *value {
@@ -254,7 +283,7 @@ impl Part {
                 Neighbour {
                     outline,
                     at_least: outlines[piece].distance_of_boxes(outline),
-                    meetings: here.map(|m| m.1).collect(),
+                    meetings: here.map(|m| (m.1, share_at(split, m.1))).collect(),
                 }
             })
             .collect();

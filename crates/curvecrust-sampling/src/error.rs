@@ -1,6 +1,6 @@
 //! Why a curve cannot be sampled, or samples not be judged.
 
-use curvecrust_curve::{Corner, DENSE_LIMIT};
+use curvecrust_curve::DENSE_LIMIT;
 use curvecrust_geometry::DVec2;
 use curvecrust_medial_axis::MedialAxisError;
 use thiserror::Error;
@@ -113,14 +113,6 @@ pub enum SamplingError {
         /// The dense point that is the sample before the interval.
         dense: usize,
     },
-    /// Arms of corners meet at 60 degrees or less, which no sampling helps; every such corner is
-    /// named.
-    #[error(
-        "{}: arms that meet at 60 degrees or less are not found by HNN-Crust from any samples, so round \
-         these corners off",
-        Corner::list(.0)
-    )]
-    SharpCorners(Vec<Corner>),
     /// A parameter is out of its range.
     #[error("{name} is {value}: it must be {range}")]
     Parameter {

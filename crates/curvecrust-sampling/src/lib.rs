@@ -10,6 +10,7 @@
 //! | [`certified`] | [`sample`]: the default; the condition holds at every point of the curve | |
 //! | [`fewest`] | [`sample_fewest`]: certified, from the best of all starts | |
 //! | [`pieces`] | [`sample_split`]: certified on each smooth piece of a curve with corners | |
+//! | [`decoded`] | [`sample_decoded`]: the same, as many as an algorithm needs to return them | |
 //! | [`verified`] | [`sample_verified`]: as few as an algorithm still reconstructs, without guarantee | |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
@@ -39,6 +40,7 @@ mod arcs;
 pub mod certified;
 pub mod check;
 pub mod condition;
+pub mod decoded;
 pub mod dense_points;
 pub mod error;
 pub mod fewest;
@@ -56,6 +58,7 @@ pub mod verified;
 pub use certified::{sample, sample_curve, sample_curve_with};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
 pub use condition::{Bound, Condition, ConditionError, DeviationLimit};
+pub use decoded::{DecodeOptions, Decoded, sample_decoded, sample_decoded_with};
 pub use dense_points::{sample_as_published, sample_at_dense_points};
 pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::{sample_fewest, sample_fewest_with};

@@ -7,11 +7,12 @@
 //! - A corner c is a sample. HNN-Crust joins it to its neighbours s and t on both arms only if the
 //!   angle there is wider than 60 degrees and both are nearer to c than to each other: |cs| < |st|
 //!   and |ct| < |st|. Where they are not, the longer arm gets one more sample, as far from c as the
-//!   neighbour on the other arm.
+//!   neighbour on the other arm. Sharper corners are left to algorithms that find them, such as
+//!   least detour ([`decoded`](crate::decoded)).
 //! - A piece is sampled with the smallest bound that needs no more samples. So they are spread
 //!   evenly, and none is left over close to the corner.
 
-use curvecrust_curve::{Corner, SplitCurve};
+use curvecrust_curve::SplitCurve;
 use curvecrust_medial_axis::{MeasurePiecesOptions, MeasuredCurve, measure_pieces_with};
 
 use crate::arcs::Arcs;
@@ -23,8 +24,6 @@ use crate::fewest;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
 use crate::sampling::{SampleOptions, Sampling};
 
-/// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
-const LEAST_ANGLE: f64 = 60.0;
 /// Distances from a corner below this ratio are the same: dense points allow no better.
 const ALIKE: f64 = 1.02;
 /// How often the range of bounds that need the same number of samples is halved.
@@ -39,8 +38,7 @@ const HALVINGS: usize = 8;
 /// dense points. What is attained is the largest value on any piece.
 ///
 /// # Errors
-/// [`SharpCorners`](SamplingError::SharpCorners), and those of
-/// [`sample_curve`](crate::sample_curve).
+/// Those of [`sample_curve`](crate::sample_curve).
 ///
 /// ```
 /// use curvecrust_curve::SplitCurve;
@@ -69,7 +67,6 @@ pub fn sample_split_with(
     condition: Condition,
     options: &SampleOptions<'_>,
 ) -> Result<Sampling, SamplingError> {
-    check_corners(split)?;
     let measured = |gap_to_lfs| {
         let progress = options.progress;
         let options = MeasurePiecesOptions {
@@ -82,16 +79,6 @@ pub fn sample_split_with(
         sample_pieces(split, measured, condition)
     })?;
     Ok(joined(split, of_pieces))
-}
-
-fn check_corners(split: &SplitCurve) -> Result<(), SamplingError> {
-    let too_sharp = |c: &&Corner| 180.0 - c.angle_deg <= LEAST_ANGLE;
-    let sharp: Vec<Corner> = split.corners().iter().filter(too_sharp).copied().collect();
-    if sharp.is_empty() {
-        Ok(())
-    } else {
-        Err(SamplingError::SharpCorners(sharp))
-    }
 }
 
 /// The samples of all pieces.

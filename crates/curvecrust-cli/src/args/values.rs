@@ -66,6 +66,15 @@ impl FromStr for Distance {
     }
 }
 
+/// A share in percent, as a number of at most 1.
+pub(super) fn percent(text: &str) -> Result<f64, String> {
+    let number = text.strip_suffix('%').unwrap_or(text).trim();
+    match number.parse::<f64>() {
+        Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(percent / 100.0),
+        _ => Err(String::from("give a share from 0% to 100%, such as 0.01%")),
+    }
+}
+
 /// A share of the local feature size.
 pub(super) fn share(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -72,9 +72,9 @@ impl CurveSource {
         read.with_context(|| self.name())
     }
 
-    /// Reads curves, split at their corners.
-    pub(super) fn read_split(&self) -> anyhow::Result<SplitCurve> {
-        SplitCurve::from_svg(&self.text()?).with_context(|| self.name())
+    /// Reads curves, split at their corners, with gaps up to a share of the drawing joined.
+    pub(super) fn read_split(&self, snap: f64) -> anyhow::Result<SplitCurve> {
+        SplitCurve::from_svg_snapping(&self.text()?, snap).with_context(|| self.name())
     }
 
     fn text(&self) -> anyhow::Result<String> {

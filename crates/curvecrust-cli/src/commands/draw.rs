@@ -85,7 +85,7 @@ impl CurveLayers {
         let curve = if is_measured {
             self.source.read()?
         } else {
-            self.source.read_split()?.pieces().clone()
+            self.source.read_split(0.0)?.pieces().clone()
         };
         let measured = is_measured
             .then(|| self.source.measure(&curve, None, console))

@@ -13,10 +13,9 @@ use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::evaluate::hausdorff;
 use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::MeasuredCurve;
-use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{
-    Condition, DeviationLimit, SampleOptions, SampledCurve, Sampling, VerifyOptions, sample,
-    sample_curve_with, sample_fewest_with, sample_split_with, sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, SampledCurve, Sampling, VerifyOptions,
+    sample, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
 };
 use serde::Serialize;
 use std::io::{self, Write};
@@ -70,17 +69,11 @@ struct Properties {
 pub(crate) struct Job {
     curve: CurveSource,
     requirement: Requirement,
-    method: Method,
+    corners: Corners,
+    /// Longer gaps than this share of the drawing stay.
+    snap: f64,
+    count: Count,
     results: Results,
-}
-
-/// How samples are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Method {
-    /// Of smooth curves.
-    Smooth(Count),
-    /// Of curves split at their corners.
-    Split,
 }
 
 impl Job {
@@ -88,35 +81,30 @@ impl Job {
         let results = Results::new(args.output, args.json, FORMATS)?;
         let requirement = Requirement::new(&args.condition)?;
         let curve = CurveSource::from(args.curve);
-        let method = match args.corners {
-            Corners::Refuse => Method::Smooth(args.count),
-            Corners::Split => Method::Split,
-        };
-        if method == Method::Split
-            && (curve.discretisation().is_some() || args.count != Count::Fewest)
-        {
-            bail!("--corners split cannot be used with --gap, --per-segment or --count");
-        }
         Ok(Self {
             curve,
             requirement: requirement.context("give either --rho or --epsilon")?,
-            method,
+            corners: args.corners,
+            snap: args.snap,
+            count: args.count,
             results,
         })
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let (curve, sampled) = match self.method {
-            Method::Smooth(count) => {
-                let curve = self.curve.read_or_advise_split()?;
-                let sampled = self.sample_smooth(&curve, count, console)?;
-                (curve, sampled)
-            }
-            Method::Split => {
-                let split = self.curve.read_split()?;
-                let sampled = self.sample_pieces(&split, console);
-                let sampled = sampled.with_context(|| self.curve.name())?;
-                (split.pieces().clone(), sampled)
+        let (curve, sampled) = match self.corners {
+            Corners::Refuse => self.sample_smooth(self.curve.read_or_advise_split()?, console)?,
+            Corners::Split => {
+                let split = self.curve.read_split(self.snap)?;
+                self.tell_of_joined_gaps(&split, console);
+                if split.corners().is_empty() {
+                    self.sample_smooth(split.pieces().clone(), console)?
+                } else {
+                    self.check_options_for_corners()?;
+                    let sampled = self.sample_pieces(&split, console);
+                    let sampled = sampled.with_context(|| self.curve.name())?;
+                    (split.pieces().clone(), sampled)
+                }
             }
         };
         if let Some(output) = &self.results.output {
@@ -124,7 +112,7 @@ impl Job {
         }
         self.results.print_json(|| object(&curve, &sampled))?;
         let (name, bound) = name_and_bound(sampled.condition);
-        let verified = if self.method == Method::Smooth(Count::Verified) {
+        let verified = if self.count == Count::Verified {
             ", fewer than the condition asks for: verified for this sample set only"
         } else {
             ""
@@ -136,47 +124,76 @@ impl Job {
         Ok(Outcome::Fine)
     }
 
+    fn tell_of_joined_gaps(&self, split: &SplitCurve, console: &Console) {
+        let Some(first) = split.snapped().first() else {
+            return;
+        };
+        let gaps = match split.snapped().len() {
+            1 => String::from("a gap"),
+            count => format!("{count} gaps"),
+        };
+        console.note(format_args!(
+            "{}: {gaps} of at most {} % of the drawing joined, first at ({}, {})",
+            self.curve.name(),
+            Number(100.0 * self.snap),
+            Number(first.x),
+            Number(first.y)
+        ));
+    }
+
+    fn check_options_for_corners(&self) -> anyhow::Result<()> {
+        if self.curve.discretisation().is_some() || self.count != Count::Fewest {
+            bail!(
+                "{}: curves with corners cannot be sampled with --gap, --per-segment or --count",
+                self.curve.name()
+            );
+        }
+        Ok(())
+    }
+
     /// Samples of every smooth piece, put together; what attains the bound is a piece.
     fn sample_pieces(&self, split: &SplitCurve, console: &Console) -> anyhow::Result<Sampled> {
         let condition = self.requirement.on(split.pieces())?;
-        let sampling = console.during("sampling", |progress| {
-            let progress = Progress::new(progress);
-            sample_split_with(split, condition, &SampleOptions { progress })
-        })?;
-        let samples = &sampling.samples;
-        let corners = split.corners().len();
-        if corners > 0 {
-            let found = if hnn_crust(&samples.point_set()?) == samples.manifold_boundary() {
-                "returns exactly the polygon"
-            } else {
-                "does not return the polygon"
+        let decoded = console.during("sampling", |progress| {
+            let options = DecodeOptions {
+                sampling: SampleOptions {
+                    progress: Progress::new(progress),
+                },
+                ..DecodeOptions::default()
             };
-            console.note(format_args!(
-                "{corners} corners, which no theorem covers: HNN-Crust {found} of these samples"
-            ));
-        }
+            sample_decoded_with(split, condition, &options)
+        })?;
+        let corners = match split.corners().len() {
+            1 => String::from("1 corner"),
+            count => format!("{count} corners"),
+        };
+        let found = match (decoded.is_exact, decoded.added) {
+            (true, 0) => String::from("least detour returns exactly the polygon of these samples"),
+            (true, added) => format!(
+                "least detour returns exactly the polygon of these samples, {added} more than the \
+                 condition asks for"
+            ),
+            (false, _) => String::from("least detour does not return the polygon of these samples"),
+        };
+        console.note(format_args!("{corners}, which no theorem covers: {found}"));
         Ok(Sampled {
             condition,
-            sampling,
+            sampling: decoded.sampling,
         })
     }
 
     /// Samples of smooth curves, at the dense points that were asked for or at as many as needed.
-    fn sample_smooth(
-        &self,
-        curve: &Curve,
-        count: Count,
-        console: &Console,
-    ) -> anyhow::Result<Sampled> {
-        let condition = self.requirement.on(curve)?;
+    fn sample_smooth(&self, curve: Curve, console: &Console) -> anyhow::Result<(Curve, Sampled)> {
+        let condition = self.requirement.on(&curve)?;
         let measured = (self.curve.discretisation().is_some())
-            .then(|| self.curve.measure(curve, None, console))
+            .then(|| self.curve.measure(&curve, None, console))
             .transpose()?;
-        let sampling = chosen(curve, measured, condition, count, console);
-        Ok(Sampled {
+        let sampling = chosen(&curve, measured, condition, self.count, console);
+        let sampled = Sampled {
             condition,
             sampling: sampling.with_context(|| self.curve.name())?,
-        })
+        };
+        Ok((curve, sampled))
     }
 }
 
