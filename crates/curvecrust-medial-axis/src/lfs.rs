@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use curvecrust_curve::DenseCurve;
-use curvecrust_geometry::{DVec2, SegmentTree};
+use curvecrust_geometry::{DVec2, Interrupt, SegmentTree};
 use rayon::prelude::*;
 
 use crate::axis::MedialAxis;
@@ -34,10 +34,12 @@ impl LocalFeatureSize {
         // In curve order, each query starts from the answer to the one before. Chunks of a fixed
         // size, so that the number of threads changes nothing.
         let mut values = vec![f64::INFINITY; dense.len()];
+        let interrupt = Interrupt::current();
         values
             .par_chunks_mut(CHUNK)
             .zip(dense.points().par_chunks(CHUNK))
             .for_each(|(values, points)| {
+                interrupt.check();
                 let mut last = None;
                 for (value, &p) in values.iter_mut().zip(points) {
                     let p = to_unit.apply(p);

@@ -61,7 +61,7 @@ mod ways;
 use std::collections::VecDeque;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, Interrupt, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor};
@@ -331,11 +331,13 @@ impl Solver<'_> {
         mut applied: impl FnMut(Exchange),
     ) {
         let graph = self.graph;
+        let interrupt = Interrupt::current();
         let mut queue = VecDeque::new();
         for v in nodes {
             self.enqueue(v, &mut queue);
         }
         while let Some(v) = queue.pop_front() {
+            interrupt.check();
             self.is_queued[v as usize] = false;
             let search = Search::below(0.0, &mut self.matching, plan);
             let Some(exchange) = search.from(v).best() else {

@@ -9,7 +9,7 @@ mod lanes;
 mod search;
 mod tree;
 
-use curvecrust_geometry::{EdgeSet, PointId, PointSet, hilbert_order};
+use curvecrust_geometry::{EdgeSet, Interrupt, PointId, PointSet, hilbert_order};
 use rayon::prelude::*;
 
 use kernel::{Choice, TASK};
@@ -87,10 +87,12 @@ impl Choices {
         let order: Vec<u32> = hilbert_order(points).into_iter().map(u32::from).collect();
         let tree = Tree::new(points.points(), &order);
         let mut chosen = vec![[NONE; 2]; tree.len()];
-        chosen
-            .par_chunks_mut(TASK)
-            .enumerate()
-            .for_each(|(task, chosen)| kernel::choose(&tree, rule, task, chosen));
+        let interrupt = Interrupt::current();
+        let tasks = chosen.par_chunks_mut(TASK).enumerate();
+        tasks.for_each(|(task, chosen)| {
+            interrupt.check();
+            kernel::choose(&tree, rule, task, chosen);
+        });
         Self { order, chosen }
     }
 

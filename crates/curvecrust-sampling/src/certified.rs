@@ -13,6 +13,7 @@
 //! Cost: O(n) for n dense points.
 
 use curvecrust_curve::{Curve, DENSE_LIMIT, DenseError};
+use curvecrust_geometry::Interrupt;
 use curvecrust_medial_axis::{
     Discretisation, MeasureOptions, MeasuredCurve, MedialAxisError, measure_with,
 };
@@ -161,9 +162,11 @@ pub(crate) fn certified(
 /// or the position of a gap that is too long.
 pub(crate) fn walk(arcs: &Arcs, condition: Condition, start: usize) -> Result<Vec<usize>, usize> {
     let end = start + arcs.len();
+    let interrupt = Interrupt::current();
     let mut positions = vec![start];
     let (mut from, mut guess) = (start, start);
     while from < end {
+        interrupt.check();
         // Positions below a round, as far as `arcs` is concerned.
         let round = if from >= arcs.len() { arcs.len() } else { 0 };
         let to = arcs.farthest(condition, from - round, guess - round, end - round);

@@ -29,6 +29,7 @@
 //! point, then jumps of 2^i steps by doubling, and the smallest number of steps that goes round
 //! from any start. Cost: O(n log n).
 
+use curvecrust_geometry::Interrupt;
 use curvecrust_medial_axis::MeasuredCurve;
 use rayon::prelude::*;
 
@@ -126,7 +127,9 @@ fn better_start(
     let (from, to) = pairs.min_by_key(|(from, to)| to - from)?;
     // Where each walk starts, and where it is.
     let mut walks: Vec<[usize; 2]> = (from + 1..=to).map(|start| [start; 2]).collect();
+    let interrupt = Interrupt::current();
     for step in 1..positions.len() {
+        interrupt.check();
         let mut guess = 0;
         for [_, at] in &mut walks {
             let before = *at / round * round;
@@ -156,11 +159,13 @@ fn jumps(
         return Err(gap);
     }
     let mut jumps = vec![0; round];
+    let interrupt = Interrupt::current();
     // A batch of chunks at a time, so that progress is reported in order.
     let batch = 16 * CHUNK;
     for (index, part) in jumps.chunks_mut(batch).enumerate() {
         let chunks = part.par_chunks_mut(CHUNK).enumerate();
         chunks.for_each(|(chunk, jumps)| {
+            interrupt.check();
             let first = index * batch + chunk * CHUNK;
             let mut to = first;
             for (from, jump) in (first..).zip(jumps) {

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, PointId, PointSet, orient2d};
+use curvecrust_geometry::{DVec2, Interrupt, PointId, PointSet, orient2d};
 use rayon::prelude::*;
 use spade::handles::{FaceHandle, InnerTag};
 use spade::{DelaunayTriangulation, Point2, Triangulation};
@@ -91,8 +91,10 @@ impl Delaunay {
             .map(|&id| Point2::new(points[id].x, points[id].y))
             .collect();
         let mut triangulation = Spade::with_capacity(ids.len(), 3 * ids.len(), 2 * ids.len());
+        let interrupt = Interrupt::current();
         let mut previous = None;
         for place in places {
+            interrupt.check();
             let inserted = match previous {
                 Some(hint) => triangulation.insert_with_hint(place, hint),
                 None => triangulation.insert(place),

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use curvecrust_geometry::Random;
+use curvecrust_geometry::{Interrupt, Random};
 
 use super::cost::Cost;
 use super::near::Near;
@@ -119,8 +119,10 @@ impl<'a> Search<'a> {
     ///
     /// Ends: the cost falls each time, by more than rounding could feign.
     fn improve(&mut self) -> Change {
+        let interrupt = Interrupt::current();
         let mut sum = Change::default();
         while let Some(v) = self.queue.pop_front() {
+            interrupt.check();
             self.is_queued[v as usize] = false;
             while let Some(change) = self.improved_at(v) {
                 sum = sum + change;
