@@ -3,7 +3,8 @@
 //!
 //! [`args`] are the arguments as typed. [`commands`] make jobs of them and run these, one file
 //! each. [`points`] reads and [`output`] writes, one file a format. This is a library only so that
-//! the readers can be fuzzed, and promises nothing but [`main`]: depend on `curvecrust`.
+//! the readers can be fuzzed and Python can run it, and promises nothing but [`main`] and
+//! [`run_on`]: depend on `curvecrust`.
 
 mod args;
 mod commands;
@@ -22,6 +23,7 @@ use console::Console;
 use format::Format;
 use input::Source;
 use points::{Flaw, PointsError};
+use std::ffi::OsString;
 use std::io;
 use std::path::Path;
 use std::process::ExitCode;
@@ -29,14 +31,28 @@ use std::process::ExitCode;
 /// Runs the program on the arguments of this process.
 #[must_use]
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    ExitCode::from(run_on(std::env::args_os()))
+}
+
+/// Runs the program on arguments, the first of which is its name, and returns its exit code. It
+/// does as a process does: it starts the threads of the process and ends at Ctrl-C.
+#[must_use]
+pub fn run_on(args: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        Err(usage) => {
+            // That nobody reads the help is no reason to fail.
+            let _ = usage.print();
+            return if usage.use_stderr() { 2 } else { 0 };
+        }
+    };
     let console = Console::new(cli.quiet);
     match run(cli, &console) {
-        Ok(Outcome::Fine) => ExitCode::SUCCESS,
-        Ok(Outcome::Failed) => ExitCode::from(1),
+        Ok(Outcome::Fine) => 0,
+        Ok(Outcome::Failed) => 1,
         Err(error) => {
             console.error(&error);
-            ExitCode::from(2)
+            2
         }
     }
 }

@@ -153,7 +153,6 @@ mod tests {
 
     #[test]
     #[should_panic(expected = "a defect")]
-    #[expect(clippy::panic, reason = "what is tested")]
     fn panics_stay_panics() {
         let _ = Interrupt::new().run(|| panic!("a defect"));
     }

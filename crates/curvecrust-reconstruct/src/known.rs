@@ -17,9 +17,10 @@ use crate::termini;
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::{Known, LeastDetour, Reconstruction};
 ///
-/// // Four corners of a long rectangle: told nothing, two lines; told "one closed curve", a ring.
-/// let corners = [(0.0, 0.0), (9.0, 0.0), (9.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec2::new(x, y));
-/// let points = PointSet::new(corners.to_vec())?;
+/// // Two rows of points: told nothing, two lines; told "one closed curve", a ring.
+/// let row = |y| (0..8).map(move |x| DVec2::new(f64::from(x), y));
+/// let points = PointSet::new(row(0.0).chain(row(3.0)).collect())?;
+/// assert_eq!(Reconstruction::by(&LeastDetour, &points).chains().len(), 2);
 /// let ring = Reconstruction::by_known(&LeastDetour, &points, &Known::ONE_CLOSED_CURVE)?;
 /// assert_eq!(ring.chains().len(), 1);
 /// assert_eq!(ring.chains()[0].nesting, Some(0));

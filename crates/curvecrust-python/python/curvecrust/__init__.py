@@ -1,0 +1,51 @@
+"""Points in, ordered curves out.
+
+>>> import curvecrust
+>>> points = [(0, 0), (1, 1), (1, 0), (0, 1)]
+>>> for path in curvecrust.reconstruct(points).paths:
+...     print(path.closed, path.indices)
+True [0 2 1 3]
+
+`reconstruct` finds the curves that points come from, open and closed, `order` sorts points along
+one curve, and `sample` goes the other way, from a curve to the few samples that it can be
+reconstructed from. Nothing needs a parameter; what is known can be told.
+
+Points are whatever numpy takes as an array of shape (n, 2): arrays, lists of pairs, complex
+numbers, data frames of two columns; also points of shapely and geopandas. Lengths are in the unit
+of the points, indices are rows of what was given. The y axis may point up or down.
+
+The methods are those of S. Ohrhallinger, S. A. Mitchell, M. Wimmer, "Curve Reconstruction with Many
+Fewer Samples", SGP 2016, its relatives, and least detour, the default, which is of this project.
+"""
+
+from ._compare import Evaluation, compare, evaluate
+from ._curve import Check, Curve, Lfs, MedialAxis, Samples, check, lfs, medial_axis, sample
+from ._curvecrust import __version__
+from ._methods import Method, methods
+from ._reconstruct import find_curve_path, order, reconstruct
+from ._reconstruction import Path, Reasons, Reconstruction, Violations
+
+__all__ = [
+    "Check",
+    "Curve",
+    "Evaluation",
+    "Lfs",
+    "MedialAxis",
+    "Method",
+    "Path",
+    "Reasons",
+    "Reconstruction",
+    "Samples",
+    "Violations",
+    "__version__",
+    "check",
+    "compare",
+    "evaluate",
+    "find_curve_path",
+    "lfs",
+    "medial_axis",
+    "methods",
+    "order",
+    "reconstruct",
+    "sample",
+]

@@ -1,0 +1,65 @@
+"""The part of the package that is Rust: arrays in, arrays out."""
+
+from collections.abc import Callable
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+__version__: str
+
+__all__ = [
+    "Curve",
+    "__version__",
+    "check",
+    "evaluate",
+    "explain",
+    "lfs",
+    "medial_axis",
+    "methods",
+    "reconstruct",
+    "run",
+    "sample",
+    "violations",
+]
+
+@final
+class Curve:
+    """Curves that may have corners."""
+
+    @staticmethod
+    def from_svg(text: str, snap: float) -> Curve: ...
+    @staticmethod
+    def from_path(d: str) -> Curve: ...
+    @staticmethod
+    def from_points(points: NDArray[np.float64], closed: bool) -> Curve: ...
+    @property
+    def closed(self) -> list[bool]: ...
+    @property
+    def extent(self) -> float: ...
+    def corners(self) -> dict[str, NDArray[np.float64]]: ...
+    def polylines(self, per_segment: int) -> dict[str, Any]: ...
+
+def reconstruct(
+    points: NDArray[np.float64],
+    told: dict[str, Any],
+    progress: Callable[[int, int], None] | None,
+) -> dict[str, Any]: ...
+def explain(points: NDArray[np.float64], told: dict[str, Any]) -> dict[str, Any] | None: ...
+def violations(points: NDArray[np.float64], edges: NDArray[np.int64]) -> dict[str, Any]: ...
+def sample(
+    curve: Curve, asked: dict[str, Any], progress: Callable[[int, int], None] | None
+) -> dict[str, Any]: ...
+def check(
+    curve: Curve, samples: NDArray[np.float64], asked: dict[str, Any], tolerance: float
+) -> dict[str, Any]: ...
+def lfs(curve: Curve) -> dict[str, Any]: ...
+def medial_axis(curve: Curve) -> dict[str, Any]: ...
+def evaluate(
+    curve: Curve,
+    samples: NDArray[np.float64],
+    edges: NDArray[np.int64],
+    tolerance: float,
+) -> dict[str, Any]: ...
+def methods() -> list[dict[str, Any]]: ...
+def run(args: list[str]) -> int: ...

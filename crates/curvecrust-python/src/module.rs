@@ -1,0 +1,27 @@
+//! What Python sees of this crate.
+
+/// Arrays in, arrays out; call the package `curvecrust` instead.
+#[pyo3::pymodule]
+mod _curvecrust {
+    #[pymodule_export]
+    use crate::curve::Curve;
+    #[pymodule_export]
+    use crate::evaluate::evaluate;
+    #[pymodule_export]
+    use crate::lfs::{check, lfs, medial_axis};
+    #[pymodule_export]
+    use crate::methods::methods;
+    #[pymodule_export]
+    use crate::program::run;
+    #[pymodule_export]
+    use crate::reconstruct::{explain, reconstruct, violations};
+    #[pymodule_export]
+    use crate::sample::sample;
+
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,10 @@
+//! `python -m curvecrust` is the program.
+
+use pyo3::prelude::*;
+use std::ffi::OsString;
+
+/// Runs the program on arguments, the first of which is its name, and returns its exit code.
+#[pyfunction]
+pub(crate) fn run(py: Python<'_>, args: Vec<OsString>) -> u8 {
+    py.detach(|| curvecrust_cli::run_on(args))
+}
