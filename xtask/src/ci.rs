@@ -4,11 +4,11 @@
 //! that need nothing but cargo, by the same runner.
 
 mod advisories;
-mod cargo;
+pub(crate) mod cargo;
 mod fuzz;
 mod instructions;
 mod lines;
-mod outcome;
+pub(crate) mod outcome;
 mod packages;
 mod runner;
 mod rust_version;

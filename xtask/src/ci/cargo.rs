@@ -33,7 +33,7 @@ pub(super) fn cargo_with((name, flag): (&str, &str), arguments: &str) -> anyhow:
 }
 
 /// Shows and runs a command; its output goes straight through.
-pub(super) fn outcome(mut command: Command, typed: &str) -> anyhow::Result<Outcome> {
+pub(crate) fn outcome(mut command: Command, typed: &str) -> anyhow::Result<Outcome> {
     eprintln!("   {typed}");
     let status = command
         .status()
@@ -51,7 +51,7 @@ pub(super) fn has(subcommand: &str) -> bool {
 }
 
 /// Whether a command succeeds; it is not heard.
-pub(super) fn succeeds(command: &mut Command) -> bool {
+pub(crate) fn succeeds(command: &mut Command) -> bool {
     let quiet = command.stdout(Stdio::null()).stderr(Stdio::null());
     quiet.status().is_ok_and(|status| status.success())
 }

@@ -2,7 +2,7 @@
 
 /// How a step went.
 #[derive(Debug)]
-pub(super) enum Outcome {
+pub(crate) enum Outcome {
     Passed,
     /// The step passed by this one of several ways.
     PassedBy(String),

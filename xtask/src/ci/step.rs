@@ -33,6 +33,8 @@ pub(super) enum Step {
     Wasm,
     /// Every crate as it would be published
     Package,
+    /// The Python package: wheel, tests, lints and pages
+    Python,
     /// Licences, bans and sources of all dependencies
     Deny,
     /// Known vulnerabilities of all dependencies, those of the fuzz targets included
@@ -96,6 +98,7 @@ impl Step {
             Self::RustVersion => rust_version::run(),
             Self::Wasm => wasm::run(),
             Self::Package => packages::publishable(),
+            Self::Python => python(),
             Self::Deny if !has("deny") => Ok(Outcome::Skipped("no cargo-deny".to_owned())),
             Self::Deny => cargo("deny check licenses bans sources"),
             Self::Advisories => advisories::run(),
@@ -105,6 +108,14 @@ impl Step {
             Self::Instructions => instructions::run(renew_instructions),
             Self::Fuzz => fuzz::run(),
         }
+    }
+}
+
+/// The tests of the Python package, then its pages.
+fn python() -> anyhow::Result<Outcome> {
+    match crate::python::test()? {
+        Outcome::Passed => crate::python::docs(),
+        other => Ok(other),
     }
 }
 
