@@ -4,7 +4,7 @@ mod known;
 mod values;
 
 pub(crate) use known::Known;
-pub(crate) use values::{Algorithm, Corners, Count, Distance};
+pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 
 use crate::format::Format;
 use clap::{ArgGroup, Parser, Subcommand};
@@ -67,6 +67,9 @@ pub(crate) struct Sample {
     /// What to do where a curve has corners
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
     pub(crate) corners: Corners,
+    /// What to do where strokes touch or cross
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Strokes::Auto)]
+    pub(crate) strokes: Strokes,
     /// Join gaps and leave out segments up to this share of the drawing, where corners are split
     #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
     pub(crate) snap: f64,

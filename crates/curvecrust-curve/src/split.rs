@@ -34,6 +34,7 @@ pub struct SplitCurve {
     components: Vec<Component>,
     corners: Vec<Corner>,
     snapped: Vec<DVec2>,
+    is_apart: bool,
 }
 
 impl SplitCurve {
@@ -91,6 +92,7 @@ impl SplitCurve {
             components: split,
             corners,
             snapped,
+            is_apart: false,
         })
     }
 
@@ -116,6 +118,38 @@ impl SplitCurve {
     /// Those of [`from_svg`](Self::from_svg).
     pub fn from_svg_snapping(document: &str, share: f64) -> Result<Self, CurveError> {
         svg::parse(document, |components| Self::snapping(components, share))
+    }
+
+    /// The same curves with each component on its own: lfs takes no account of the others. So they
+    /// may touch and cross, where lfs with respect to all of them is 0.
+    ///
+    /// ```
+    /// use curvecrust_curve::SplitCurve;
+    ///
+    /// let plus = SplitCurve::from_path_data("M 0 1 H 2 M 1 0 V 2")?.apart();
+    /// assert_eq!(plus.smooth_parts().len(), 2);
+    /// # Ok::<(), curvecrust_curve::CurveError>(())
+    /// ```
+    #[must_use]
+    pub fn apart(self) -> Self {
+        Self {
+            is_apart: true,
+            ..self
+        }
+    }
+
+    /// Whether each component is [on its own](Self::apart).
+    #[must_use]
+    pub fn is_apart(&self) -> bool {
+        self.is_apart
+    }
+
+    /// Whether a piece counts for the lfs of another one: not where components are
+    /// [apart](Self::apart) and these are of two.
+    #[must_use]
+    pub fn sees(&self, piece: usize, other: usize) -> bool {
+        let here = self.component_of(piece);
+        !self.is_apart || here.is_some_and(|component| component.contains(other))
     }
 
     /// Where gaps of rounding errors were joined, in the order of the components.
@@ -149,8 +183,9 @@ impl SplitCurve {
         self.components.iter().find(|c| c.contains(piece))
     }
 
-    /// What is smooth by itself: the components without a corner, all together, and each piece of
-    /// the others; each part with the indices of its pieces.
+    /// What is smooth by itself: the components without a corner, all together unless they are
+    /// [apart](Self::apart), and each piece of the others; each part with the indices of its
+    /// pieces.
     #[must_use]
     pub fn smooth_parts(&self) -> Vec<(Vec<usize>, Curve)> {
         let (whole, cut): (Vec<_>, Vec<_>) = self
@@ -158,9 +193,13 @@ impl SplitCurve {
             .iter()
             .map(|c| c.range.clone())
             .partition(|pieces| pieces.len() == 1);
-        let together: Vec<usize> = whole.into_iter().flatten().collect();
+        let whole: Vec<usize> = whole.into_iter().flatten().collect();
+        let together = match self.is_apart {
+            true => whole.into_iter().map(|piece| vec![piece]).collect(),
+            false => vec![whole],
+        };
         let alone = cut.into_iter().flatten().map(|piece| vec![piece]);
-        let parts = [together].into_iter().chain(alone);
+        let parts = together.into_iter().chain(alone);
         let curve = |pieces: &[usize]| {
             let components = pieces.iter().map(|&i| self.pieces.components()[i].clone());
             Curve::of_pieces(components.collect())

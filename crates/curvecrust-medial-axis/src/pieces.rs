@@ -17,6 +17,8 @@
 //! hold for smooth curves, hence for every piece by itself. Whether a reconstruction gets round the
 //! corner is to be seen by running it.
 //!
+//! Where components are [apart](SplitCurve::apart), those of other components do not count.
+//!
 //! The values are made 1-Lipschitz along each piece, as every lfs is. Cost: for n pieces,
 //! O(n^2 log n) in their boxes besides what the pieces cost by themselves.
 
@@ -276,7 +278,8 @@ impl Part {
     ) -> Vec<Neighbour<'a>> {
         let meetings = split.meetings(piece);
         let others = outlines.iter().enumerate();
-        let others = others.filter(|(other, _)| !self.pieces.contains(other));
+        let others = others.filter(|&(other, _)| !self.pieces.contains(&other));
+        let others = others.filter(|&(other, _)| split.sees(piece, other));
         let mut neighbours: Vec<_> = others
             .map(|(other, outline)| {
                 let here = meetings.iter().flatten().filter(|m| m.0 == other);

@@ -80,3 +80,23 @@ fn pieces_that_touch_are_refused() {
     let error = by(&bar, 0.0).unwrap_err();
     assert!(matches!(error, MedialAxisError::GapToLfs(_)), "{error}");
 }
+
+#[test]
+fn what_is_apart_has_the_lfs_that_it_has_alone() {
+    let (ellipse, disc) = (
+        "M 4 0 A 4 2 0 0 1 -4 0 A 4 2 0 0 1 4 0 Z",
+        "M 5 0 A 2 2 0 0 1 1 0 Z",
+    );
+    let both = SplitCurve::from_path_data(&format!("{ellipse} {disc}")).unwrap();
+    assert!(by(&both, 0.02).is_err());
+    let found = by(&both.apart(), 0.02).unwrap();
+    let mut values = found.lfs().values();
+    for alone in [ellipse, disc] {
+        let alone = SplitCurve::from_path_data(alone).unwrap();
+        let alone = by(&alone, 0.02).unwrap();
+        let (here, rest) = values.split_at(alone.dense().len());
+        assert!(here == alone.lfs().values());
+        values = rest;
+    }
+    assert!(values.is_empty());
+}

@@ -4,6 +4,7 @@
 //! manifold boundary, the bound is tightened, and all pieces get more samples.
 
 use curvecrust_curve::SplitCurve;
+use curvecrust_geometry::{Component, EdgeSet, PointSet};
 use curvecrust_reconstruct::{LeastDetour, Reconstructor};
 
 use crate::condition::Condition;
@@ -51,6 +52,9 @@ impl Default for DecodeOptions<'_> {
 /// bound with which least detour returns exactly the manifold boundary of the samples: that of the
 /// condition, else 0.8 times it, and so on down to a tenth.
 ///
+/// Where components are [apart](SplitCurve::apart), they may touch and cross, where no algorithm
+/// for curves returns all of them together: each is looked at by itself.
+///
 /// ```
 /// use curvecrust_curve::SplitCurve;
 /// use curvecrust_sampling::{Condition, sample_decoded};
@@ -78,7 +82,14 @@ pub fn sample_decoded_with(
     options: &DecodeOptions<'_>,
 ) -> Result<Decoded, SamplingError> {
     let asked = sample_split_with(split, condition, &options.sampling)?;
-    if is_returned(&asked, options.decoder) {
+    let is_returned = |sampling: &Sampling| {
+        if split.is_apart() {
+            each_is_returned(sampling, options.decoder)
+        } else {
+            is_returned(sampling, options.decoder)
+        }
+    };
+    if is_returned(&asked) {
         return Ok(Decoded {
             sampling: asked,
             is_exact: true,
@@ -92,7 +103,7 @@ pub fn sample_decoded_with(
         let Ok(sampling) = sample_split_with(split, tighter, &options.sampling) else {
             break;
         };
-        if is_returned(&sampling, options.decoder) {
+        if is_returned(&sampling) {
             return Ok(Decoded {
                 added: sampling.samples.len().saturating_sub(asked.samples.len()),
                 sampling: Sampling {
@@ -117,4 +128,20 @@ fn is_returned(sampling: &Sampling, decoder: &dyn Reconstructor) -> bool {
     let samples = &sampling.samples;
     let points = samples.point_set();
     points.is_ok_and(|points| decoder.reconstruct(&points) == samples.manifold_boundary())
+}
+
+/// Whether the algorithm returns the polygon of each component from its samples alone.
+fn each_is_returned(sampling: &Sampling, decoder: &dyn Reconstructor) -> bool {
+    let samples = &sampling.samples;
+    samples.components().iter().all(|component| {
+        let here = samples.points()[component.range.clone()].to_vec();
+        let count = here.len();
+        let Ok(points) = PointSet::new(here) else {
+            return false;
+        };
+        let range = 0..count;
+        let closed = component.closed;
+        let polygon = EdgeSet::new(count, Component { range, closed }.edges());
+        decoder.reconstruct(&points) == polygon
+    })
 }

@@ -28,6 +28,17 @@ pub(crate) enum Corners {
     Split,
 }
 
+/// What is done where strokes touch or cross.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Strokes {
+    /// Sample all together, or each by itself where any two touch
+    Auto,
+    /// Refuse strokes that touch or cross, naming the place
+    Together,
+    /// Sample each stroke as if it were alone; no reconstruction of all together is promised
+    Apart,
+}
+
 /// A length, or a share of the extent of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Distance {

@@ -3,7 +3,7 @@
 use super::condition::{Requirement, name_and_bound};
 use super::curve_source::CurveSource;
 use super::{Bounds, Outcome};
-use crate::args::{self, Corners, Count};
+use crate::args::{self, Corners, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Feature, Layer, Number, Output, Picture, Places, Results, Shape, npy};
@@ -11,11 +11,12 @@ use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::evaluate::hausdorff;
-use curvecrust::geometry::Progress;
-use curvecrust::medial_axis::MeasuredCurve;
+use curvecrust::geometry::{Edge, EdgeSet, PointSet, Progress};
+use curvecrust::medial_axis::{MeasuredCurve, MedialAxisError};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, SampledCurve, Sampling, VerifyOptions,
-    sample, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, SampledCurve, Sampling, SamplingError,
+    VerifyOptions, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
+    sample_verified_with,
 };
 use serde::Serialize;
 use std::io::{self, Write};
@@ -48,6 +49,8 @@ struct Object {
     count: usize,
     /// Between the curve and the polygon of the samples.
     hausdorff: Bounds,
+    /// `together` or `apart`.
+    strokes: &'static str,
 }
 
 /// Which samples belong to a component of the curve: those from `start` up to, without it, `end`.
@@ -70,6 +73,7 @@ pub(crate) struct Job {
     curve: CurveSource,
     requirement: Requirement,
     corners: Corners,
+    strokes: Strokes,
     /// Longer gaps than this share of the drawing stay.
     snap: f64,
     count: Count,
@@ -85,6 +89,7 @@ impl Job {
             curve,
             requirement: requirement.context("give either --rho or --epsilon")?,
             corners: args.corners,
+            strokes: args.strokes,
             snap: args.snap,
             count: args.count,
             results,
@@ -97,14 +102,7 @@ impl Job {
             Corners::Split => {
                 let split = self.curve.read_split(self.snap)?;
                 self.tell_of_joined_gaps(&split, console);
-                if split.corners().is_empty() {
-                    self.sample_smooth(split.pieces().clone(), console)?
-                } else {
-                    self.check_options_for_corners()?;
-                    let sampled = self.sample_pieces(&split, console);
-                    let sampled = sampled.with_context(|| self.curve.name())?;
-                    (split.pieces().clone(), sampled)
-                }
+                self.sample_strokes(split, console)?
             }
         };
         if let Some(output) = &self.results.output {
@@ -141,18 +139,56 @@ impl Job {
         ));
     }
 
-    fn check_options_for_corners(&self) -> anyhow::Result<()> {
-        if self.curve.discretisation().is_some() || self.count != Count::Fewest {
+    /// Samples of all strokes together, or of each by itself where they touch.
+    fn sample_strokes(
+        &self,
+        split: SplitCurve,
+        console: &Console,
+    ) -> anyhow::Result<(Curve, Sampled)> {
+        let mut touch = None;
+        if self.strokes != Strokes::Apart {
+            let together = self.sample_together(&split, console);
+            touch = together.as_ref().err().and_then(touching);
+            let may_part = self.strokes == Strokes::Auto && self.takes_pieces();
+            if touch.is_none() || !may_part {
+                return together;
+            }
+        }
+        self.sample_pieces(&split.apart(), touch, console)
+    }
+
+    fn sample_together(
+        &self,
+        split: &SplitCurve,
+        console: &Console,
+    ) -> anyhow::Result<(Curve, Sampled)> {
+        if split.corners().is_empty() {
+            self.sample_smooth(split.pieces().clone(), console)
+        } else {
+            self.sample_pieces(split, None, console)
+        }
+    }
+
+    /// Whether no option is given that pieces cannot be sampled with.
+    fn takes_pieces(&self) -> bool {
+        self.curve.discretisation().is_none() && self.count == Count::Fewest
+    }
+
+    /// Samples of every smooth piece, put together; what attains the bound is a piece. It tells
+    /// where strokes touch that were to be together.
+    fn sample_pieces(
+        &self,
+        split: &SplitCurve,
+        touch: Option<DVec2>,
+        console: &Console,
+    ) -> anyhow::Result<(Curve, Sampled)> {
+        if !self.takes_pieces() {
             bail!(
-                "{}: curves with corners cannot be sampled with --gap, --per-segment or --count",
+                "{}: curves with corners, and strokes apart, cannot be sampled with --gap, \
+                 --per-segment or --count",
                 self.curve.name()
             );
         }
-        Ok(())
-    }
-
-    /// Samples of every smooth piece, put together; what attains the bound is a piece.
-    fn sample_pieces(&self, split: &SplitCurve, console: &Console) -> anyhow::Result<Sampled> {
         let condition = self.requirement.on(split.pieces())?;
         let decoded = console.during("sampling", |progress| {
             let options = DecodeOptions {
@@ -162,24 +198,44 @@ impl Job {
                 ..DecodeOptions::default()
             };
             sample_decoded_with(split, condition, &options)
-        })?;
+        });
+        let decoded = decoded.with_context(|| self.curve.name())?;
+        if let Some(DVec2 { x, y }) = touch {
+            console.note(format_args!(
+                "{}: strokes touch or cross near ({}, {}), so each is sampled as if it were alone; \
+                 no reconstruction of all together is promised",
+                self.curve.name(),
+                Number(x),
+                Number(y)
+            ));
+        }
         let corners = match split.corners().len() {
-            1 => String::from("1 corner"),
-            count => format!("{count} corners"),
+            0 => "",
+            1 => "1 corner, which no theorem covers: ",
+            count => &format!("{count} corners, which no theorem covers: "),
+        };
+        let polygon = match split.is_apart() {
+            true => "the polygon of each stroke from its own samples",
+            false => "the polygon of these samples",
         };
         let found = match (decoded.is_exact, decoded.added) {
-            (true, 0) => String::from("least detour returns exactly the polygon of these samples"),
+            (true, 0) => format!("least detour returns exactly {polygon}"),
             (true, added) => format!(
-                "least detour returns exactly the polygon of these samples, {added} more than the \
-                 condition asks for"
+                "least detour returns exactly {polygon}, {added} more than the condition asks for"
             ),
-            (false, _) => String::from("least detour does not return the polygon of these samples"),
+            (false, _) => format!("least detour does not return {polygon}"),
         };
-        console.note(format_args!("{corners}, which no theorem covers: {found}"));
-        Ok(Sampled {
+        console.note(format_args!("{corners}{found}"));
+        let sampled = Sampled {
             condition,
             sampling: decoded.sampling,
-        })
+            strokes: if split.is_apart() {
+                "apart"
+            } else {
+                "together"
+            },
+        };
+        Ok((split.pieces().clone(), sampled))
     }
 
     /// Samples of smooth curves, at the dense points that were asked for or at as many as needed.
@@ -192,6 +248,7 @@ impl Job {
         let sampled = Sampled {
             condition,
             sampling: sampling.with_context(|| self.curve.name())?,
+            strokes: "together",
         };
         Ok((curve, sampled))
     }
@@ -201,6 +258,19 @@ impl Job {
 struct Sampled {
     condition: Condition,
     sampling: Sampling,
+    /// `together` or `apart`.
+    strokes: &'static str,
+}
+
+/// Where strokes touch or cross, if that is the error.
+fn touching(error: &anyhow::Error) -> Option<DVec2> {
+    let SamplingError::Measure(error) = error.downcast_ref::<SamplingError>()? else {
+        return None;
+    };
+    match *error {
+        MedialAxisError::Crossing { at, .. } | MedialAxisError::Touching { at, .. } => Some(at),
+        _ => None,
+    }
 }
 
 /// The samples that were asked for among all that satisfy the condition.
@@ -261,8 +331,8 @@ fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
         samples, attained, ..
     } = &sampled.sampling;
     let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
-    let polygon = samples.manifold_boundary();
-    let distance = hausdorff(curve, &samples.point_set()?, &polygon, tolerance).distance();
+    let (points, polygon) = polygon(samples)?;
+    let distance = hausdorff(curve, &points, &polygon, tolerance).distance();
     let (name, bound) = name_and_bound(condition);
     let components = samples.components().iter().map(|component| Component {
         start: component.range.start,
@@ -281,7 +351,20 @@ fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
             upper: attained.at_most,
         }),
         hausdorff: distance.into(),
+        strokes: sampled.strokes,
     })
+}
+
+/// The samples as one set, and the polygon that joins them; strokes that are apart may share some.
+fn polygon(samples: &SampledCurve) -> anyhow::Result<(PointSet, EdgeSet)> {
+    let merged = PointSet::merging_duplicates(samples.points().to_vec())?;
+    let boundary = samples.manifold_boundary();
+    let edges = boundary.edges().iter().filter_map(|edge| {
+        let [a, b] = edge.ends().map(|v| merged.representative[v.index()]);
+        Edge::new(a, b)
+    });
+    let edges = EdgeSet::new(merged.points.len(), edges);
+    Ok((merged.points, edges))
 }
 
 /// The samples of every component, in order along it.
