@@ -13,6 +13,7 @@ mod docs;
 mod fetch_paper_data;
 mod reproduce_paper;
 mod test;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -46,6 +47,8 @@ enum Task {
     Docs(docs::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
+    /// Build the explorer, a page of static files, under target/web
+    Web(web::Args),
 }
 
 fn main() -> ExitCode {
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
         Task::Compare(args) => compare::run(&args),
         Task::Docs(args) => docs::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
+        Task::Web(args) => web::run(&args),
     };
     outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

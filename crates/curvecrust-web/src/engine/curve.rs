@@ -107,6 +107,9 @@ impl Loaded {
         }
         let polygon = samples.manifold_boundary();
         let tolerance = TOLERANCE * self.curve.extent();
+        let points = samples.point_set()?;
+        let found = HnnCrust::MUTUAL.reconstruct(&points);
+        answer.value("exact", found == polygon);
         let distances = self.reference.distances(&points, &polygon, tolerance);
         answer.value("hausdorff", distances.hausdorff.distance().upper);
         Ok(answer)
