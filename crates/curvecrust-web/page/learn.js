@@ -200,7 +200,7 @@ function angles() {
       "Crust can lose an edge where consecutive samples meet at less than 90 degrees. HNN-Crust, where edges are of equal length, gets down to 60.",
       "So much sharper are the bends that few samples may show. Red edges: HNN-Crust alone finds them.",
     ],
-    { label: "Angle", min: 45, max: 130, value: 80 },
+    { label: "Angle", min: 45, max: 130, value: 75 },
   );
   const lanes = [new Lane(), new Lane()];
   let shown = null;
@@ -229,12 +229,14 @@ function angles() {
   update();
 }
 
-/** Two straight arms that meet at an angle, in equal steps. */
+/** A row of teeth of an angle, with an arm at each end that goes straight on and up. */
 function zigzag(degrees) {
   const turn = (degrees * Math.PI) / 360;
-  const points = [0, 0];
+  const [across, along] = [Math.sin(turn), Math.cos(turn)];
+  const points = [];
+  for (let i = -3; i <= 3; i++) points.push(i * across, i & 1 ? along : 0);
   for (const side of [-1, 1]) {
-    for (let i = 1; i <= 5; i++) points.push(side * i * Math.sin(turn), i * Math.cos(turn));
+    for (let i = 1; i <= 3; i++) points.push(side * (3 * across + 0.9 * i), along - 0.5 * i);
   }
   return points;
 }
@@ -287,7 +289,7 @@ function unique() {
       "Too few samples do not tell what they come from. Here two rows come nearer to each other, until across is as short as along.",
       "Least detour says by how much its answer is better than the next one: the smallest margin of its edges.",
     ],
-    { label: "Distance of the rows", min: 0.5, max: 2.5, step: 0.05, value: 1.5 },
+    { label: "Distance of the rows", min: 0.5, max: 2.5, step: 0.05, value: 1 },
   );
   const lane = new Lane();
   let shown = null;

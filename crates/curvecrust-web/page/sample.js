@@ -233,8 +233,9 @@ function paintCurve(g, place, colour) {
   g.strokeStyle = colour("axis");
   g.lineWidth = 1;
   if (get("show-axis").checked) strokeSegments(g, place, curve.axis);
-  const finite = curve.lfs.filter(Number.isFinite);
-  const largest = finite.reduce((most, lfs) => Math.max(most, lfs), 0) || 1;
+  // Few places have a very large lfs: the colours end before.
+  const finite = curve.lfs.filter(Number.isFinite).sort();
+  const largest = finite[Math.floor(0.9 * (finite.length - 1))] || 1;
   g.lineWidth = 3.5;
   for (const band of bands(curve, largest)) {
     const hue = 20 + 220 * band.share;

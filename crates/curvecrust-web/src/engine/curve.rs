@@ -1,5 +1,6 @@
 //! A smooth curve that was loaded, and its samples.
 
+use crate::drawing;
 use crate::error::Error;
 use crate::message::Answer;
 use curvecrust::curve::Curve;
@@ -59,7 +60,7 @@ pub(super) struct Loaded {
 impl Loaded {
     pub(super) fn new(source: &Source) -> Result<Self, Error> {
         let curve = match source {
-            Source::Svg(text) => Curve::from_svg(text)?,
+            Source::Svg(text) => drawing::curve(text).map_err(Error::File)?,
             Source::Path(d) => Curve::from_path_data(d)?,
         };
         let measured = measure(&curve)?;

@@ -1,18 +1,14 @@
 //! SVG: the centres of circles; without any, the vertices of polygons and polylines; without
 //! those, the ends of the segments of paths.
 
+use crate::drawing::{self, is_in_place, number};
 use curvecrust::DVec2;
 use curvecrust::curve::SplitCurve;
-use curvecrust::curve::svg::check_bounds;
-use roxmltree::{Document, Node};
+use roxmltree::Document;
 
 /// Reads the points that a document draws.
 pub(super) fn read(text: &str) -> Result<Vec<DVec2>, String> {
-    check_bounds(text).map_err(|why| why.to_string())?;
-    let document = Document::parse(text).map_err(|why| format!("not XML: {why}"))?;
-    if document.root_element().tag_name().name() != "svg" {
-        return Err("this is XML, but not an SVG drawing".to_owned());
-    }
+    let document = drawing::parse(text)?;
     let shapes = |names: &'static [&str]| {
         let nodes = document.descendants();
         nodes.filter(move |node| names.contains(&node.tag_name().name()))
@@ -28,46 +24,33 @@ pub(super) fn read(text: &str) -> Result<Vec<DVec2>, String> {
             points.extend(vertices(node.attribute("points").unwrap_or_default())?);
         }
     }
-    if points.is_empty() && shapes(&["path", "line", "rect"]).next().is_some() {
-        return ends(text);
+    if points.is_empty() {
+        return ends(&document);
     }
     Ok(points)
 }
 
-/// The page moves no points: a moved circle would be taken for another.
-fn is_in_place(node: Node<'_, '_>) -> Result<(), String> {
-    if node.ancestors().any(|node| node.has_attribute("transform")) {
-        return Err("its points are moved by a transform: apply it, or use the program".to_owned());
-    }
-    Ok(())
-}
-
-fn number(node: Node<'_, '_>, name: &str) -> Result<f64, String> {
-    let text = node.attribute(name).unwrap_or("0").trim();
-    let number = text.trim_end_matches("px").parse::<f64>().ok();
-    let finite = number.filter(|number| number.is_finite());
-    finite.ok_or_else(|| format!("a circle has the {name} {:.20?}, not a number", text))
-}
-
 fn vertices(list: &str) -> Result<Vec<DVec2>, String> {
-    let words = list
-        .split([',', ' ', '\n', '\t', '\r'])
-        .filter(|word| !word.is_empty());
+    let words = list.split([',', ' ', '\n', '\t', '\r']);
+    let words = words.filter(|word| !word.is_empty());
     let numbers: Result<Vec<f64>, _> = words.map(str::parse).collect();
     let numbers = numbers.map_err(|_| "a polygon has points that are not numbers".to_owned())?;
-    Ok(numbers
-        .chunks_exact(2)
-        .map(|pair| DVec2::new(pair[0], pair[1]))
-        .collect())
+    let pairs = numbers.chunks_exact(2);
+    Ok(pairs.map(|pair| DVec2::new(pair[0], pair[1])).collect())
 }
 
-fn ends(text: &str) -> Result<Vec<DVec2>, String> {
-    let split = SplitCurve::from_svg(text).map_err(|why| why.to_string())?;
+fn ends(document: &Document<'_>) -> Result<Vec<DVec2>, String> {
     let mut points: Vec<DVec2> = Vec::new();
-    for path in split.pieces().components() {
-        let starts = path.segments().iter().map(|segment| segment.start());
-        let end = path.segments().last().filter(|_| !path.is_closed());
-        points.extend(starts.chain(end.map(|segment| segment.end())));
+    for d in drawing::paths(document)? {
+        let split = SplitCurve::from_path_data(&d).map_err(|why| why.to_string())?;
+        for path in split.pieces().components() {
+            let starts = path.segments().iter().map(|segment| segment.start());
+            points.extend(starts);
+            let end = path.segments().last().filter(|_| !path.is_closed());
+            // The end of a piece is the start of the next one, where they meet at a corner.
+            points.extend(end.map(|segment| segment.end()));
+        }
     }
+    points.dedup();
     Ok(points)
 }
