@@ -15,6 +15,7 @@ mod rust_version;
 mod step;
 mod tools;
 mod wasm;
+mod web;
 #[cfg(test)]
 mod workflow;
 

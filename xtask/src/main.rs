@@ -14,6 +14,7 @@ mod fetch_paper_data;
 mod python;
 mod reproduce_paper;
 mod test;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -49,6 +50,8 @@ enum Task {
     Python(python::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
+    /// Build the explorer, a page of static files, under target/web
+    Web(web::Args),
 }
 
 fn main() -> ExitCode {
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
         Task::Docs(args) => docs::run(&args),
         Task::Python(args) => python::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
+        Task::Web(args) => web::run(&args),
     };
     outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

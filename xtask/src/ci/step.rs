@@ -2,7 +2,7 @@
 
 use super::cargo::{cargo, cargo_with, has};
 use super::outcome::Outcome;
-use super::{advisories, fuzz, instructions, lines, packages, rust_version, tools, wasm};
+use super::{advisories, fuzz, instructions, lines, packages, rust_version, tools, wasm, web};
 use clap::ValueEnum;
 use curvecrust_lab::root;
 
@@ -31,6 +31,8 @@ pub(super) enum Step {
     RustVersion,
     /// The libraries for WebAssembly
     Wasm,
+    /// The explorer, in a browser
+    Web,
     /// Every crate as it would be published
     Package,
     /// The Python package: wheel, tests, lints and pages
@@ -97,6 +99,7 @@ impl Step {
             Self::Features => packages::each_feature_alone(),
             Self::RustVersion => rust_version::run(),
             Self::Wasm => wasm::run(),
+            Self::Web => web::run(),
             Self::Package => packages::publishable(),
             Self::Python => python(),
             Self::Deny if !has("deny") => Ok(Outcome::Skipped("no cargo-deny".to_owned())),

@@ -1,0 +1,273 @@
+// The view that samples a smooth curve under a condition.
+
+import { Lane } from "./engine.js";
+import { Plot, boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
+import { pathOf } from "./stroke.js";
+
+const get = (id) => document.getElementById(id);
+const lane = new Lane();
+const counter = new Lane();
+
+let plot = null;
+let curve = null;
+let samples = null;
+let source = null;
+let strokes = null;
+let dragged = null;
+let attempt = null;
+
+export function state() {
+  const checked = document.querySelector("[name=condition]:checked").value;
+  const values = Object.fromEntries(["rho", "epsilon", "limit"].map((id) => [id, get(id).value]));
+  return { source, strokes, closed: get("draw-closed").checked, condition: checked, ...values };
+}
+
+export function enter() {
+  plot?.redraw();
+}
+
+export async function start({ curves, attempt: doing, state: linked, toReconstruct }) {
+  attempt = doing;
+  plot = new Plot(get("canvas-sample"));
+  plot.canvas.setAttribute("aria-label", "The curve, its samples and its medial axis");
+  plot.show(paint);
+  plot.listen({ down: press, move: drag, up: () => (dragged = null) });
+  fillSelect(curves);
+  for (const id of ["rho", "epsilon", "limit"]) get(id).addEventListener("input", () => slide(id));
+  for (const input of document.querySelectorAll("[name=condition]")) {
+    input.addEventListener("input", update);
+  }
+  for (const id of ["show-axis", "show-lfs", "show-polygon"]) {
+    get(id).addEventListener("input", () => plot.redraw());
+  }
+  listenToDrawing(curves);
+  get("to-reconstruct").addEventListener("click", () => {
+    if (samples) toReconstruct(Array.from(samples.samples));
+  });
+  await restore(curves, linked);
+}
+
+function fillSelect(curves) {
+  const select = get("curve-fixture");
+  select.add(new Option("my own", ""));
+  for (const { name } of curves) select.add(new Option(name, name));
+  select.addEventListener("input", () => {
+    const chosen = curves.find(({ name }) => name === select.value);
+    if (chosen) attempt(() => open(chosen.name, chosen.svg));
+  });
+}
+
+async function restore(curves, linked) {
+  for (const id of ["rho", "epsilon", "limit"]) {
+    if (typeof linked?.[id] === "string") get(id).value = linked[id];
+  }
+  const checked = linked?.condition === "epsilon" ? "epsilon" : "rho";
+  document.querySelector(`[name=condition][value=${checked}]`).checked = true;
+  const first = curves.find(({ name }) => name === "bunny") ?? curves[0];
+  if (Array.isArray(linked?.strokes)) {
+    get("draw-closed").checked = linked.closed !== false;
+    draw(linked.strokes);
+    await attempt(redraw);
+  } else if (typeof linked?.source?.svg === "string") {
+    await attempt(() => open(linked.source.name ?? "", linked.source.svg));
+  } else {
+    await attempt(() => open(first.name, first.svg));
+  }
+}
+
+/** Takes a drawing; one that is none leaves the one before it. */
+export async function open(name, svg) {
+  if (!(await take({ do: "curve", svg }))) return;
+  source = { name, svg };
+  strokes = null;
+  get("draw").setAttribute("aria-pressed", "false");
+  get("curve-fixture").value = name;
+  if (get("curve-fixture").selectedIndex < 0) get("curve-fixture").value = "";
+}
+
+async function take(header) {
+  const loaded = await lane.curve(header);
+  if (!loaded) return false;
+  curve = loaded;
+  samples = null;
+  if (header.svg) plot.box = loaded.box;
+  await update();
+  const counting = await counter.curve(header);
+  const counts = counting && (await counter.ask({ do: "counts" }));
+  if (counts) showCounts(counts.counts);
+  return true;
+}
+
+function showCounts(counts) {
+  const cells = counts.map(({ bound, samples: count }) => {
+    const cell = document.createElement("div");
+    const [name, value] = [document.createElement("dt"), document.createElement("dd")];
+    name.textContent = bound;
+    value.textContent = count ?? "–";
+    cell.append(name, value);
+    return cell;
+  });
+  get("counts").replaceChildren(...cells);
+}
+
+function slide(id) {
+  if (id !== "limit") document.querySelector(`[name=condition][value=${id}]`).checked = true;
+  update();
+}
+
+/** The limit as a share of the extent: 0.01 % to 10 %, in equal steps of its logarithm. */
+function limitOf(position) {
+  return position > 0 ? 0.1 * 10 ** (-3 * (1 - (60 - position) / 59)) : null;
+}
+
+async function update() {
+  const condition = document.querySelector("[name=condition]:checked").value;
+  const bound = Number(get(condition).value);
+  const limit = limitOf(Number(get("limit").value));
+  for (const id of ["rho", "epsilon"]) {
+    get(`${id}-value`).textContent = Number(get(id).value).toFixed(3);
+  }
+  get("limit-value").textContent = limit ? `${(100 * limit).toPrecision(2)} %` : "none";
+  get("guarantee").textContent = guarantee(condition, bound);
+  get("guarantee").classList.toggle("warn", bound >= (condition === "rho" ? 0.895 : 0.47));
+  if (!curve) return;
+  await attempt(async () => {
+    const answer = await lane.ask({ do: "sample", condition, bound, limit });
+    if (!answer) return;
+    samples = answer;
+    get("sample-caption").textContent = caption(answer);
+    plot.redraw();
+  });
+}
+
+function caption(answer) {
+  const share = (100 * answer.hausdorff) / curve.extent;
+  return [
+    `${answer.samples.length / 2} samples`,
+    `their polygon is within ${share.toFixed(2)} % of the curve`,
+    `HNN-Crust ${answer.exact ? "returns it exactly" : "does not return it"}`,
+    `${answer.milliseconds.toFixed(1)} ms`,
+  ].join(", ");
+}
+
+/** What is known of a bound; docs/theory.md has the proofs and the counterexample. */
+function guarantee(condition, bound) {
+  if (condition === "rho") {
+    if (bound < 0.678) return "Proven: HNN-Crust returns the polygon of every such sampling.";
+    if (bound < 0.895) return "The paper claims that HNN-Crust is right here. It is proven below 0.678; no counterexample is known below 0.895.";
+    if (bound <= 0.9) return "The paper claims rho < 0.9, but from 0.895 on there are curves where HNN-Crust loses an edge. Nothing is guaranteed here.";
+    return "Beyond every claim: nothing is guaranteed here.";
+  }
+  if (bound <= 1 / 3) return "Proven: NN-Crust and HNN-Crust return the polygon of every such sampling.";
+  if (bound < 0.404) return "Proven for HNN-Crust. NN-Crust is guaranteed up to 1/3 only.";
+  if (bound < 0.47) return "The paper claims that HNN-Crust is right here. It is proven below 0.404, and no counterexample is known.";
+  return "Beyond every claim: nothing is guaranteed here.";
+}
+
+function listenToDrawing(curves) {
+  get("draw").addEventListener("click", () => {
+    const on = get("draw").getAttribute("aria-pressed") !== "true";
+    if (on) draw([[]]);
+    else attempt(() => open(curves[0].name, curves[0].svg));
+  });
+  get("draw-new").addEventListener("click", () => {
+    if (strokes) strokes.push([]);
+    else draw([[]]);
+  });
+  get("draw-closed").addEventListener("input", () => strokes && attempt(redraw));
+}
+
+/** Begins to draw, with strokes that are there. */
+function draw(own) {
+  strokes = own;
+  source = null;
+  curve = samples = null;
+  get("curve-fixture").value = "";
+  get("draw").setAttribute("aria-pressed", "true");
+  get("sample-caption").textContent = "Click to add points, drag to move them.";
+  plot.box = strokes.flat().length ? boxOf(strokes.flat(2)) : [0, 0, 100, 100];
+  plot.redraw();
+}
+
+function press(x, y) {
+  if (!strokes) return;
+  for (const stroke of strokes) {
+    const found = plot.nearest(stroke.flat(), x, y);
+    if (found >= 0) {
+      dragged = stroke[found];
+      return;
+    }
+  }
+  dragged = plot.at(x, y);
+  strokes.at(-1).push(dragged);
+  attempt(redraw);
+}
+
+function drag(x, y, pressed) {
+  if (!pressed || !dragged) return;
+  [dragged[0], dragged[1]] = plot.at(x, y);
+  attempt(redraw);
+}
+
+async function redraw() {
+  plot.redraw();
+  const path = pathOf(strokes, get("draw-closed").checked);
+  if (path) await take({ do: "curve", path });
+}
+
+function paint(g, place, colour) {
+  if (curve) paintCurve(g, place, colour);
+  if (strokes) {
+    g.fillStyle = colour("soft");
+    for (const stroke of strokes) fillPoints(g, place, stroke.flat(), 3);
+  }
+  if (!samples) return;
+  g.lineWidth = 2;
+  g.strokeStyle = colour("differs");
+  if (get("show-polygon").checked) strokeEdges(g, place, samples.samples, polygon(samples));
+  g.fillStyle = colour("point");
+  fillPoints(g, place, samples.samples, 4);
+}
+
+function paintCurve(g, place, colour) {
+  g.strokeStyle = colour("axis");
+  g.lineWidth = 1;
+  if (get("show-axis").checked) strokeSegments(g, place, curve.axis);
+  // Few places have a very large lfs: the colours end before.
+  const finite = curve.lfs.filter(Number.isFinite).sort();
+  const largest = finite[Math.floor(0.9 * (finite.length - 1))] || 1;
+  g.lineWidth = 3.5;
+  for (const band of bands(curve, largest)) {
+    const hue = 20 + 220 * band.share;
+    g.strokeStyle = get("show-lfs").checked ? `hsl(${hue} 70% 55%)` : colour("curve");
+    strokeEdges(g, place, curve.dense, band.edges);
+  }
+}
+
+const BANDS = 16;
+
+/** The chords of the curve by their lfs, so that each colour is stroked once. */
+function bands({ dense, lfs, components }, largest) {
+  const found = Array.from({ length: BANDS }, (_, i) => ({ share: i / (BANDS - 1), edges: [] }));
+  const count = dense.length / 2;
+  for (let c = 0; c < components.length; c += 3) {
+    const [start, end, closed] = components.subarray(c, c + 3);
+    for (let i = start; i < Math.min(end, count); i++) {
+      const next = i + 1 < end ? i + 1 : closed ? start : i;
+      const share = Math.sqrt(Math.min(1, lfs[i] / largest));
+      found[Math.round(share * (BANDS - 1))].edges.push(i, next);
+    }
+  }
+  return found;
+}
+
+/** The edges between consecutive samples. */
+export function polygon({ components }) {
+  const edges = [];
+  for (let c = 0; c < components.length; c += 3) {
+    const [start, end, closed] = components.subarray(c, c + 3);
+    for (let i = start; i + 1 < end; i++) edges.push(i, i + 1);
+    if (closed && end - start > 2) edges.push(end - 1, start);
+  }
+  return edges;
+}
