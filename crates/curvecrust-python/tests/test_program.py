@@ -38,6 +38,22 @@ def test_fixtures_give_the_same_samples_and_edges(curve, tmp_path):
         assert found.edges.astype(edges.dtype).tobytes() == edges.tobytes()
 
 
+@pytest.mark.parametrize("file", sorted(FIXTURES.glob("points/*.xy")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("method", [method.name for method in curvecrust.methods()])
+def test_points_of_fixtures_give_the_same_edges(file, method):
+    edges = npy(program("reconstruct", file, "--algorithm", method, "--to", "npy"))
+    found = curvecrust.reconstruct(np.loadtxt(file), method=method)
+    assert found.edges.astype(edges.dtype).tobytes() == edges.tobytes()
+
+
+def test_importing_loads_nothing_else():
+    code = "import sys, curvecrust; assert 'numpy' not in sys.modules; print(dir(curvecrust)[-1])"
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout
+    assert said.split() == [b"sample"]
+    with pytest.raises(AttributeError, match="no attribute 'no_such'"):
+        curvecrust.no_such  # noqa: B018
+
+
 def test_the_program_has_its_exit_codes():
     assert program("--version").startswith(b"curvecrust ")
     for arguments, code in ((["--no-such"], 2), (["reconstruct", "/no/such/file"], 2)):

@@ -18,12 +18,17 @@ The methods are those of S. Ohrhallinger, S. A. Mitchell, M. Wimmer, "Curve Reco
 Fewer Samples", SGP 2016, its relatives, and least detour, the default, which is of this project.
 """
 
-from ._compare import Evaluation, compare, evaluate
-from ._curve import Check, Curve, Lfs, MedialAxis, Samples, check, lfs, medial_axis, sample
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from ._curvecrust import __version__
-from ._methods import Method, methods
-from ._reconstruct import find_curve_path, order, reconstruct
-from ._reconstruction import Path, Reasons, Reconstruction, Violations
+
+if TYPE_CHECKING:
+    from ._compare import Evaluation, compare, evaluate
+    from ._curve import Check, Curve, Lfs, MedialAxis, Samples, check, lfs, medial_axis, sample
+    from ._methods import Method, methods
+    from ._reconstruct import find_curve_path, order, reconstruct
+    from ._reconstruction import Path, Reasons, Reconstruction, Violations
 
 __all__ = [
     "Check",
@@ -49,3 +54,35 @@ __all__ = [
     "reconstruct",
     "sample",
 ]
+
+_MODULES = {
+    "_compare": ("Evaluation", "compare", "evaluate"),
+    "_curve": (
+        "Check",
+        "Curve",
+        "Lfs",
+        "MedialAxis",
+        "Samples",
+        "check",
+        "lfs",
+        "medial_axis",
+        "sample",
+    ),
+    "_methods": ("Method", "methods"),
+    "_reconstruct": ("find_curve_path", "order", "reconstruct"),
+    "_reconstruction": ("Path", "Reasons", "Reconstruction", "Violations"),
+}
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    """Load what is asked for when it is: numpy takes longer to load than all of this package."""
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_MODULE_OF[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
