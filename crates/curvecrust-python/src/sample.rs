@@ -6,9 +6,11 @@ use crate::errors::value_error;
 use crate::work::{Progressed, Run};
 use curvecrust::curve::SplitCurve;
 use curvecrust::geometry::Progress;
+use curvecrust::medial_axis::MedialAxisError;
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, VerifyOptions,
-    sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError,
+    VerifyOptions, sample_curve_with, sample_decoded_with, sample_fewest_with,
+    sample_verified_with,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -25,6 +27,8 @@ pub(crate) struct Asked {
     max_distance: Option<f64>,
     #[pyo3(item)]
     count: String,
+    #[pyo3(item)]
+    strokes: String,
     #[pyo3(item)]
     threads: Option<NonZeroUsize>,
 }
@@ -54,6 +58,7 @@ impl Asked {
 struct Sampled {
     sampling: Sampling,
     is_decoded: Option<bool>,
+    strokes: &'static str,
 }
 
 /// Samples of curves, as sparse as a condition allows.
@@ -74,7 +79,8 @@ pub(crate) fn sample<'py>(
     let Sampled {
         sampling,
         is_decoded,
-    } = run.work(move |progress| chosen(&split, condition, &asked.count, progress))?;
+        strokes,
+    } = run.work(move |progress| chosen(split, condition, &asked, progress))?;
     let samples = &sampling.samples;
     let components = samples.components().iter();
     let starts = components.clone().map(|c| int(c.range.start));
@@ -89,39 +95,93 @@ pub(crate) fn sample<'py>(
             edges.map(|edge| edge.ends().map(|v| int(v.index()))),
         )?
         .with_value("attained", sampling.attained.map(|a| (a.bound, a.at_most)))?
-        .with_value("is_decoded", is_decoded)
+        .with_value("is_decoded", is_decoded)?
+        .with_value("strokes", strokes)
         .map(Arrays::finish)
 }
 
+/// Samples of all strokes together, or of each by itself where they touch, as was asked.
 fn chosen(
+    split: SplitCurve,
+    condition: Condition,
+    asked: &Asked,
+    progress: &Progressed,
+) -> PyResult<Sampled> {
+    let count = one_of("count", &asked.count, &["greedy", "fewest", "verified"])?;
+    let strokes = one_of("strokes", &asked.strokes, &["auto", "together", "apart"])?;
+    let report = |done, total| progress.report(done, total);
+    let progress = Progress::new(&report);
+    if strokes != "apart" {
+        let together = if split.corners().is_empty() {
+            smooth(&split, condition, count, progress)
+        } else {
+            decoded(&split, condition, count, progress)?
+        };
+        if strokes == "together" || !together.as_ref().is_err_and(is_touching) {
+            return together.map_err(value_error);
+        }
+    }
+    decoded(&split.apart(), condition, count, progress)?.map_err(value_error)
+}
+
+/// The argument, if it is one of the names.
+fn one_of<'a>(argument: &str, value: &'a str, names: &[&str]) -> PyResult<&'a str> {
+    if names.contains(&value) {
+        return Ok(value);
+    }
+    let names = names.join("', '");
+    Err(value_error(format!(
+        "{argument} is '{value}', but must be one of '{names}'"
+    )))
+}
+
+/// Whether curves touch or cross, so that none of them can be sampled beside the others.
+fn is_touching(error: &SamplingError) -> bool {
+    use MedialAxisError::{Crossing, Touching};
+    matches!(
+        error,
+        SamplingError::Measure(Crossing { .. } | Touching { .. })
+    )
+}
+
+/// Samples of every smooth piece, put together.
+fn decoded(
     split: &SplitCurve,
     condition: Condition,
     count: &str,
-    progress: &Progressed,
-) -> PyResult<Sampled> {
-    let report = |done, total| progress.report(done, total);
-    let progress = Progress::new(&report);
-    let options = SampleOptions { progress };
-    if !split.corners().is_empty() {
-        if count != "greedy" {
-            return Err(value_error(
-                "curves with corners can only be sampled with count='greedy'",
-            ));
-        }
-        let options = DecodeOptions {
-            sampling: options,
-            ..DecodeOptions::default()
-        };
-        let decoded = sample_decoded_with(split, condition, &options).map_err(value_error)?;
-        return Ok(Sampled {
-            sampling: decoded.sampling,
-            is_decoded: Some(decoded.is_exact),
-        });
+    progress: Progress<'_>,
+) -> PyResult<Result<Sampled, SamplingError>> {
+    if count != "greedy" {
+        let message = "curves with corners, and strokes apart, need count='greedy'";
+        return Err(value_error(message));
     }
-    let greedy = sample_curve_with(split.pieces(), condition, &options).map_err(value_error)?;
+    let options = DecodeOptions {
+        sampling: SampleOptions { progress },
+        ..DecodeOptions::default()
+    };
+    let found = sample_decoded_with(split, condition, &options);
+    Ok(found.map(|decoded| Sampled {
+        sampling: decoded.sampling,
+        is_decoded: Some(decoded.is_exact),
+        strokes: if split.is_apart() {
+            "apart"
+        } else {
+            "together"
+        },
+    }))
+}
+
+/// Samples of curves without corners.
+fn smooth(
+    split: &SplitCurve,
+    condition: Condition,
+    count: &str,
+    progress: Progress<'_>,
+) -> Result<Sampled, SamplingError> {
+    let options = SampleOptions { progress };
+    let greedy = sample_curve_with(split.pieces(), condition, &options)?;
     let sampling = match count {
-        "greedy" => Ok(greedy),
-        "fewest" => sample_fewest_with(&greedy.measured, condition, &options),
+        "fewest" => sample_fewest_with(&greedy.measured, condition, &options)?,
         "verified" => {
             let default = VerifyOptions::default();
             let limit = condition.hausdorff_limit();
@@ -130,17 +190,13 @@ fn chosen(
                 progress,
                 ..default
             };
-            sample_verified_with(&greedy, &options)
+            sample_verified_with(&greedy, &options)?
         }
-        other => {
-            let names = "'greedy', 'fewest' or 'verified'";
-            return Err(value_error(format!(
-                "count is '{other}', but must be {names}"
-            )));
-        }
+        _ => greedy,
     };
     Ok(Sampled {
-        sampling: sampling.map_err(value_error)?,
+        sampling,
         is_decoded: None,
+        strokes: "together",
     })
 }

@@ -73,6 +73,18 @@ def test_corners_are_sampled_until_they_are_found_again():
     assert found.edges.tolist() == samples.edges.tolist()
 
 
+def test_strokes_that_touch_are_sampled_one_by_one():
+    plus = curvecrust.Curve.from_path("M 0 1 H 2 M 1 0 V 2")
+    samples = curvecrust.sample(plus)
+    assert (samples.strokes, samples.is_decoded, len(samples)) == ("apart", True, 4)
+    with pytest.raises(ValueError, match="touches"):
+        curvecrust.sample(plus, strokes="together")
+    with pytest.raises(ValueError, match="'auto', 'together', 'apart'"):
+        curvecrust.sample(plus, strokes="none")
+    assert curvecrust.sample(CIRCLE).strokes == "together"
+    assert curvecrust.sample(CIRCLE, strokes="apart").strokes == "apart"
+
+
 def test_the_medial_axis_of_an_ellipse_is_a_segment():
     ellipse = curvecrust.Curve.from_path("M 2 0 A 2 1 0 0 1 -2 0 A 2 1 0 0 1 2 0 Z")
     axis = curvecrust.medial_axis(ellipse)

@@ -124,6 +124,7 @@ async function ask(side, sent) {
   if (Number(get("curves").value) >= 1) header.curves = Math.floor(Number(get("curves").value));
   header.reasons = sent.length / 2 <= EXPLAINED;
   const canKnow = header.algorithm === "least-detour";
+  const unused = !canKnow && (header.shape || header.curves);
   if (!canKnow) {
     delete header.shape;
     delete header.curves;
@@ -134,7 +135,8 @@ async function ask(side, sent) {
     if (!answer) return;
     side.answer = answer;
     side.points = points;
-    caption.textContent = summary(header.algorithm, answer);
+    const left = unused ? "; it cannot use what you know" : "";
+    caption.textContent = summary(header.algorithm, answer) + left;
   } catch (error) {
     side.answer = null;
     caption.textContent = `${header.algorithm}: no result`;

@@ -118,8 +118,10 @@ class Samples:
     attained: tuple[float, float] | None
     """The largest epsilon or rho that the samples attain, and a bound that it does not exceed."""
     is_decoded: bool | None
-    """For curves with corners, whether least detour returns exactly these edges. None for smooth
-    curves, for which the condition is known to suffice."""
+    """For curves with corners, whether least detour returns exactly these edges; of strokes that are
+    apart, those of each from its own samples. None for smooth curves."""
+    strokes: str
+    """How components were sampled: "together", or "apart", each as if it were alone."""
 
     def __len__(self) -> int:
         return len(self.points)
@@ -138,6 +140,7 @@ def sample(
     epsilon: float | None = None,
     max_distance: float | None = None,
     count: str = "greedy",
+    strokes: str = "auto",
     threads: int | None = None,
     progress: bool = False,
 ) -> Samples:
@@ -146,7 +149,7 @@ def sample(
     Parameters
     ----------
     curve : Curve
-        A curve that does not cross or touch itself.
+        Curves that do not cross or touch themselves.
     rho : float, optional
         Every point is nearer to a sample than rho times the reach of its interval, the smallest
         local feature size there (SGP 2016, Definition 3). 0.9 if neither this nor epsilon is given.
@@ -158,6 +161,9 @@ def sample(
         "greedy" takes the next sample as late as the condition allows; "fewest" has the fewest of
         all samples at dense points that satisfy it; "verified" takes away more, as long as
         HNN-Crust returns the polygon.
+    strokes : {"auto", "together", "apart"}
+        "together" refuses curves that touch or cross each other; "apart" samples each as if it were
+        alone, and promises no reconstruction of all together; "auto" does so where they touch.
     threads, progress
         As for `reconstruct`.
 
@@ -174,7 +180,7 @@ def sample(
     <4 Samples>
     """
     asked = _asked(0.9 if rho is None and epsilon is None else rho, epsilon, max_distance)
-    asked.update(count=count, threads=threads)
+    asked.update(count=count, strokes=strokes, threads=threads)
     with listening(progress, "sampling") as listener:
         return Samples(**_curvecrust.sample(_curve(curve), asked, listener))
 
@@ -285,5 +291,6 @@ def _asked(rho: float | None, epsilon: float | None, max_distance: float | None)
     return {
         **{name: None if value is None else float(value) for name, value in values.items()},
         "count": "greedy",
+        "strokes": "auto",
         "threads": None,
     }
