@@ -118,8 +118,8 @@ class Samples:
     attained: tuple[float, float] | None
     """The largest epsilon or rho that the samples attain, and a bound that it does not exceed."""
     is_decoded: bool | None
-    """For curves with corners, whether least detour returns exactly these edges; of strokes that are
-    apart, those of each from its own samples. None for smooth curves."""
+    """For curves with corners, whether least detour returns exactly these edges; of strokes that
+    are apart, those of each from its own samples. None for smooth curves."""
     strokes: str
     """How components were sampled: "together", or "apart", each as if it were alone."""
 
