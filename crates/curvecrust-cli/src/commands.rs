@@ -8,6 +8,7 @@ mod condition;
 mod curve_source;
 mod draw;
 mod evaluate;
+mod guarantee;
 mod lfs;
 mod medial_axis;
 mod reconstruct;

@@ -1,12 +1,15 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
+mod formats;
+
 use super::condition::{Requirement, name_and_bound};
 use super::curve_source::CurveSource;
+use super::guarantee::Guaranteed;
 use super::{Bounds, Outcome};
 use crate::args::{self, Corners, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Feature, Layer, Number, Output, Picture, Places, Results, Shape, npy};
+use crate::output::{Layer, Number, Output, Picture, Results, npy};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
@@ -18,8 +21,8 @@ use curvecrust::sampling::{
     VerifyOptions, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
     sample_verified_with,
 };
+use formats::{features, write_csv, write_text};
 use serde::Serialize;
-use std::io::{self, Write};
 
 /// The formats of samples, the one of stdout first.
 const FORMATS: &[Format] = &[
@@ -51,6 +54,7 @@ struct Object {
     hausdorff: Bounds,
     /// `together` or `apart`.
     strokes: &'static str,
+    guaranteed: Guaranteed,
 }
 
 /// Which samples belong to a component of the curve: those from `start` up to, without it, `end`.
@@ -59,12 +63,6 @@ struct Component {
     start: usize,
     end: usize,
     closed: bool,
-}
-
-/// The properties of the samples of a component in GeoJSON.
-#[derive(Serialize)]
-struct Properties {
-    curve: usize,
 }
 
 /// Which curves are sampled and how, and where the samples go.
@@ -116,8 +114,9 @@ impl Job {
             ""
         };
         console.note(format_args!(
-            "{} samples for {name} < {bound}{verified}",
-            sampled.sampling.samples.len()
+            "{} samples for {name} < {bound}{verified}{}",
+            sampled.sampling.samples.len(),
+            sampled.ending
         ));
         Ok(Outcome::Fine)
     }
@@ -229,6 +228,8 @@ impl Job {
         let sampled = Sampled {
             condition,
             sampling: decoded.sampling,
+            guaranteed: Guaranteed::of_run(decoded.is_exact),
+            ending: "",
             strokes: if split.is_apart() {
                 "apart"
             } else {
@@ -245,10 +246,14 @@ impl Job {
             .then(|| self.curve.measure(&curve, None, console))
             .transpose()?;
         let sampling = chosen(&curve, measured, condition, self.count, console);
+        let sampling = sampling.with_context(|| self.curve.name())?;
+        let guaranteed = Guaranteed::of_smooth(&curve, condition, &sampling.samples);
         let sampled = Sampled {
             condition,
-            sampling: sampling.with_context(|| self.curve.name())?,
+            sampling,
             strokes: "together",
+            guaranteed,
+            ending: guaranteed.ending(),
         };
         Ok((curve, sampled))
     }
@@ -260,6 +265,9 @@ struct Sampled {
     sampling: Sampling,
     /// `together` or `apart`.
     strokes: &'static str,
+    guaranteed: Guaranteed,
+    /// How the last note ends; nothing where another one has said it.
+    ending: &'static str,
 }
 
 /// Where strokes touch or cross, if that is the error.
@@ -352,6 +360,7 @@ fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
         }),
         hausdorff: distance.into(),
         strokes: sampled.strokes,
+        guaranteed: sampled.guaranteed,
     })
 }
 
@@ -365,32 +374,4 @@ fn polygon(samples: &SampledCurve) -> anyhow::Result<(PointSet, EdgeSet)> {
     });
     let edges = EdgeSet::new(merged.points.len(), edges);
     Ok((merged.points, edges))
-}
-
-/// The samples of every component, in order along it.
-fn parts(samples: &SampledCurve) -> impl Iterator<Item = &[DVec2]> {
-    let components = samples.components().iter();
-    components.map(|component| &samples.points()[component.range.clone()])
-}
-
-fn write_csv(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
-    writeln!(out, "curve,x,y")?;
-    for (curve, part) in parts(samples).enumerate() {
-        for p in part {
-            writeln!(out, "{curve},{},{}", Number(p.x), Number(p.y))?;
-        }
-    }
-    Ok(())
-}
-
-fn write_text(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
-    let mut points = samples.points().iter();
-    points.try_for_each(|p| writeln!(out, "{} {}", Number(p.x), Number(p.y)))
-}
-
-fn features(samples: &SampledCurve) -> impl Iterator<Item = Feature<'_, Properties>> {
-    parts(samples).enumerate().map(|(curve, part)| Feature {
-        shape: Shape::Points(Places::all(part)),
-        properties: Properties { curve },
-    })
 }

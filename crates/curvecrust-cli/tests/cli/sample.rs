@@ -284,3 +284,40 @@ fn gaps_of_rounding_errors_are_joined_and_named() {
     let run = folder.run("sample plate.svg --rho 0.9 --snap 0 -o apart.json");
     assert!(!run.stderr.contains("joined"), "{}", run.stderr);
 }
+
+#[test]
+fn samples_say_how_they_are_known_to_suffice() {
+    let folder = Folder::with("circle.svg", CIRCLE);
+    folder.write("badge.svg", BADGE);
+    for (line, guaranteed, says) in [
+        (
+            "circle.svg --rho 0.6",
+            "theorem",
+            "; HNN-Crust is proven to return",
+        ),
+        (
+            "circle.svg --epsilon 0.4",
+            "theorem",
+            "; HNN-Crust is proven to return",
+        ),
+        (
+            "circle.svg --rho 0.9",
+            "running",
+            "; least detour returns exactly",
+        ),
+        (
+            "circle.svg --epsilon 0.45",
+            "running",
+            "; least detour returns exactly",
+        ),
+        (
+            "badge.svg --rho 0.9",
+            "running",
+            "least detour returns exactly",
+        ),
+    ] {
+        let run = folder.run(&format!("sample {line} --json"));
+        assert!(run.stderr.contains(says), "{line}: {}", run.stderr);
+        assert_eq!(json(&run.fine())["guaranteed"], guaranteed, "{line}");
+    }
+}

@@ -1,0 +1,41 @@
+//! Samples in the formats of tables and features.
+
+use crate::output::{Feature, Number, Places, Shape};
+use curvecrust::DVec2;
+use curvecrust::sampling::SampledCurve;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// The properties of the samples of a component in GeoJSON.
+#[derive(Serialize)]
+pub(super) struct Properties {
+    curve: usize,
+}
+
+/// The samples of every component, in order along it.
+fn parts(samples: &SampledCurve) -> impl Iterator<Item = &[DVec2]> {
+    let components = samples.components().iter();
+    components.map(|component| &samples.points()[component.range.clone()])
+}
+
+pub(super) fn write_csv(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
+    writeln!(out, "curve,x,y")?;
+    for (curve, part) in parts(samples).enumerate() {
+        for p in part {
+            writeln!(out, "{curve},{},{}", Number(p.x), Number(p.y))?;
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn write_text(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
+    let mut points = samples.points().iter();
+    points.try_for_each(|p| writeln!(out, "{} {}", Number(p.x), Number(p.y)))
+}
+
+pub(super) fn features(samples: &SampledCurve) -> impl Iterator<Item = Feature<'_, Properties>> {
+    parts(samples).enumerate().map(|(curve, part)| Feature {
+        shape: Shape::Points(Places::all(part)),
+        properties: Properties { curve },
+    })
+}
