@@ -4,7 +4,7 @@
 //! it, with the fixtures as one script, so that the page asks for nothing after it has loaded.
 
 mod fixtures;
-mod module;
+pub(crate) mod module;
 mod serve;
 
 use anyhow::Context;

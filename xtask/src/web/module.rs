@@ -5,7 +5,7 @@ use curvecrust_lab::{output_of, root};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const TARGET: &str = "wasm32-unknown-unknown";
+pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Debian's packages, which bring the source of the standard library: it is built with the module.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "/usr/bin/cargo"];
@@ -31,7 +31,7 @@ pub(super) fn build() -> anyhow::Result<Result<PathBuf, String>> {
 }
 
 /// The cargo that can build for the target: the ordinary one, else Debian's.
-fn toolchain() -> Option<Command> {
+pub(crate) fn toolchain() -> Option<Command> {
     let folder = output_of("rustc", &["--print", "target-libdir", "--target", TARGET]);
     if folder.is_some_and(|folder| Path::new(&folder).is_dir()) {
         return Some(Command::new("cargo"));
