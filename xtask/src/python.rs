@@ -146,7 +146,9 @@ fn with_wheel(next: impl FnOnce(&Path) -> anyhow::Result<Outcome>) -> anyhow::Re
     maturin.args(["-m", "maturin", "build", "--release", "--sdist", "--out"]);
     maturin.arg(&wheels);
     // The source archive is unpacked to a new place each time; what it needs is built once.
-    maturin.env("CARGO_TARGET_DIR", folder().join("build"));
+    let target = folder().join("build");
+    forget_own_crates(&target.join("release/.fingerprint"))?;
+    maturin.env("CARGO_TARGET_DIR", target);
     match outcome(maturin, "maturin build --release --sdist")? {
         Outcome::Passed => {}
         failed => return Ok(failed),
@@ -160,6 +162,25 @@ fn with_wheel(next: impl FnOnce(&Path) -> anyhow::Result<Outcome>) -> anyhow::Re
         anyhow::bail!("{} wheels under target/python/wheels", found.len());
     };
     next(wheel)
+}
+
+/// Makes cargo build the crates of the workspace anew. It would take them for unchanged: in the
+/// archive all files have one time, which is before that of every build.
+fn forget_own_crates(fingerprints: &Path) -> anyhow::Result<()> {
+    let Ok(entries) = fs::read_dir(fingerprints) else {
+        return Ok(());
+    };
+    for entry in entries {
+        let entry = entry.context("cannot read target/python/build")?;
+        if entry
+            .file_name()
+            .to_string_lossy()
+            .starts_with("curvecrust")
+        {
+            fs::remove_dir_all(entry.path()).context("cannot clear target/python/build")?;
+        }
+    }
+    Ok(())
 }
 
 /// Where all of it is.
