@@ -6,9 +6,7 @@ use crate::errors::value_error;
 use crate::lfs::{measured_smooth, placed};
 use crate::work::Run;
 use curvecrust::evaluate::{Evaluation, Kind, METRICS, Output, Reference, Truth};
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
-use curvecrust::medial_axis::MeasuredCurve;
-use curvecrust::sampling::Projected;
+use curvecrust::geometry::{Edge, PointSet};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -35,7 +33,7 @@ pub(crate) fn evaluate<'py>(
         let extent = split.pieces().extent();
         let truth = Truth {
             curve: &Reference::of_curve(split.pieces(), TOLERANCE * extent),
-            boundary: &consecutive(&measured, &placed),
+            boundary: &placed.manifold_boundary(&measured),
         };
         let output = Output {
             vertices: &points,
@@ -61,20 +59,4 @@ pub(crate) fn evaluate<'py>(
         .with_rows("missing", missing.iter().map(pair))?
         .with_rows("wrong", wrong.iter().map(pair))
         .map(Arrays::finish)
-}
-
-/// The edges between consecutive samples of each component.
-fn consecutive(measured: &MeasuredCurve, placed: &Projected) -> EdgeSet {
-    let components = placed.samples.components().iter();
-    let dense = measured.dense().components();
-    let edges = components.zip(dense).flat_map(|(range, component)| {
-        let id = |sample: usize| PointId::new(placed.indices[sample]);
-        let closing = component
-            .closed
-            .then(|| (range.end.saturating_sub(1), range.start));
-        let open = range.clone().zip(range.clone().skip(1));
-        let pairs = open.chain(closing.filter(|_| !range.is_empty()));
-        pairs.filter_map(move |(i, j)| Edge::new(id(i)?, id(j)?))
-    });
-    EdgeSet::new(placed.indices.len(), edges)
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use curvecrust_curve::DenseCurve;
-use curvecrust_geometry::{Component, DVec2, Segment, SegmentTree};
+use curvecrust_geometry::{Component, DVec2, Edge, EdgeSet, PointId, Segment, SegmentTree};
 use curvecrust_medial_axis::MeasuredCurve;
 
 use crate::error::SamplingError;
@@ -44,6 +44,23 @@ pub struct Projected {
     /// For each sample its distance to the polygon of the dense points, of which the curve is
     /// within about an eighth of (gap / lfs)^2 lfs.
     pub distances: Vec<f64>,
+}
+
+impl Projected {
+    /// The manifold boundary: the edges between consecutive samples of each component, by the
+    /// indices of the points. `measured` is the curve that the points were projected to.
+    #[must_use]
+    pub fn manifold_boundary(&self, measured: &MeasuredCurve) -> EdgeSet {
+        let dense = measured.dense().components().iter();
+        let edges = self.samples.components().iter().zip(dense);
+        let edges = edges.flat_map(|(range, &Component { closed, .. })| {
+            let range = range.clone();
+            let id = |sample: usize| PointId::new(self.indices[sample]);
+            let pairs = Component { range, closed }.pairs();
+            pairs.filter_map(move |(i, j)| Edge::new(id(i)?, id(j)?))
+        });
+        EdgeSet::new(self.indices.len(), edges)
+    }
 }
 
 impl PlacedSamples {

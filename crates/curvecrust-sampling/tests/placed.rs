@@ -188,3 +188,26 @@ fn samples_out_of_place_are_refused() {
     assert_eq!(projected.indices, [2, 1, 0]);
     assert!((projected.distances[1] - 0.01).abs() < 1e-4);
 }
+
+#[test]
+fn the_boundary_of_projected_samples_joins_neighbours_by_their_indices() {
+    let d = "M 1 0 A 1 1 0 0 1 -1 0 A 1 1 0 0 1 1 0 Z M 3 0 H 9";
+    let measured = measured(d, 12);
+    let points = [
+        (9.0, 0.0),
+        (0.0, 1.0),
+        (3.0, 0.0),
+        (1.0, 0.0),
+        (5.0, 0.0),
+        (-1.0, 0.0),
+    ];
+    let points = points.map(|(x, y)| DVec2::new(x, y));
+    let placed = PlacedSamples::project(&measured, &points, 1e-3).unwrap();
+    let found = placed.manifold_boundary(&measured);
+    let pairs: Vec<_> = found
+        .edges()
+        .iter()
+        .map(|e| e.ends().map(|v| v.index()))
+        .collect();
+    assert_eq!(pairs, [[0, 4], [1, 3], [1, 5], [2, 4], [3, 5]]);
+}

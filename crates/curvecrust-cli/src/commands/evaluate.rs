@@ -9,9 +9,8 @@ use crate::output;
 use anyhow::Context;
 use curvecrust::curve::Curve;
 use curvecrust::evaluate::{EdgeComparison, hausdorff};
-use curvecrust::geometry::{Edge, EdgeSet, PointId};
-use curvecrust::medial_axis::MeasuredCurve;
-use curvecrust::sampling::{PlacedSamples, Projected};
+use curvecrust::geometry::{Edge, EdgeSet};
+use curvecrust::sampling::PlacedSamples;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -68,7 +67,7 @@ impl Job {
         let tolerance = self.tolerance.of_extent(curve.extent());
         let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
             .with_context(|| self.points.name())?;
-        let truth = consecutive(&measured, &placed);
+        let truth = placed.manifold_boundary(&measured);
         let algorithms = self.algorithms.iter();
         let results = console.during("evaluating", |_| {
             algorithms
@@ -89,22 +88,6 @@ impl Job {
             object.results.iter().all(|result| result.exact),
         ))
     }
-}
-
-/// The edges between consecutive samples of each component.
-fn consecutive(measured: &MeasuredCurve, placed: &Projected) -> EdgeSet {
-    let components = placed.samples.components().iter();
-    let dense = measured.dense().components();
-    let edges = components.zip(dense).flat_map(|(range, component)| {
-        let id = |sample: usize| PointId::new(placed.indices[sample]);
-        let closing = component
-            .closed
-            .then(|| (range.end.saturating_sub(1), range.start));
-        let open = range.clone().zip(range.clone().skip(1));
-        let pairs = open.chain(closing.filter(|_| !range.is_empty()));
-        pairs.filter_map(move |(i, j)| Edge::new(id(i)?, id(j)?))
-    });
-    EdgeSet::new(placed.indices.len(), edges)
 }
 
 fn evaluate(curve: &Curve, bare: &BarePoints, truth: &EdgeSet, algorithm: Algorithm) -> Evaluation {
