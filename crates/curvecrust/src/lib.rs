@@ -52,6 +52,7 @@ mod points;
 mod sample;
 
 pub use curvecrust_curve as curve;
+pub use curvecrust_denoise as denoise;
 pub use curvecrust_evaluate as evaluate;
 pub use curvecrust_geometry as geometry;
 pub use curvecrust_medial_axis as medial_axis;

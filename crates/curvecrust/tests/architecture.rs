@@ -20,6 +20,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("medial-axis", &["geometry", "curve", "voronoi"]),
     // An algorithm sees bare points: neither curves nor what is derived from them.
     ("reconstruct", &["geometry", "voronoi"]),
+    ("denoise", &["geometry", "voronoi", "reconstruct"]),
     // Samples are verified by an algorithm; nothing leads back.
     (
         "sampling",
@@ -39,6 +40,7 @@ const ALL_BUT_FACADE: &[&str] = &[
     "sampling",
     "evaluate",
     "reconstruct",
+    "denoise",
 ];
 
 /// What is no library: it may use every library, and nothing uses it.

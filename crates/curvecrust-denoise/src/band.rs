@@ -1,0 +1,175 @@
+//! The band: points that lie along curves, each with its place on a local parabola.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use glam::DVec2;
+use rayon::prelude::*;
+
+use crate::area::hull_area;
+use crate::scale::scales;
+use crate::tree::Tree;
+use crate::window::{Parabola, parabola};
+
+/// The radius of a window, in scales.
+const WINDOW: f64 = 1.3;
+/// A point goes that fewer than this share of the windows that see it support.
+const SUPPORT: f64 = 0.34;
+/// How often points without support are taken away.
+const SIEVES: usize = 2;
+/// The fewest points that are left.
+const FEWEST: usize = 5;
+/// The width of the band of a normal distribution that is as high as at its middle, in sigma:
+/// sqrt(2 pi e).
+const WIDTH: f64 = 4.13;
+/// How many times log n the evidence against the background must be.
+const EVIDENCE: f64 = 3.0;
+/// The least width of a band, in spacings along it.
+const THINNEST: f64 = 0.05;
+
+/// How a band is looked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Search {
+    /// See [`scales`].
+    pub(crate) alarms: f64,
+    /// By how much windows are larger than their scale asks for.
+    pub(crate) factor: f64,
+    /// Whether points without support and those of the background are taken away.
+    pub(crate) sieve: bool,
+}
+
+/// A point of the band.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Member {
+    /// The position of the point.
+    pub(crate) index: usize,
+    /// Where it lies on the local parabola.
+    pub(crate) place: DVec2,
+    /// The radius of its scale.
+    pub(crate) radius: f64,
+    /// The deviation of the points of its window.
+    pub(crate) sigma: f64,
+    count: usize,
+}
+
+/// Finds the band; no member if the points form none.
+pub(crate) fn band(points: &[DVec2], search: &Search) -> Vec<Member> {
+    let mut alive: Vec<usize> = (0..points.len()).collect();
+    let mut window = Windows::new(points.to_vec(), search);
+    if search.sieve {
+        for _ in 0..SIEVES {
+            let stays = window.supported();
+            let left: Vec<usize> = (0..alive.len()).filter(|&i| stays[i]).collect();
+            if left.len() == alive.len() || left.len() < 2 * FEWEST {
+                break;
+            }
+            alive = left.iter().map(|&i| alive[i]).collect();
+            window = Windows::new(alive.iter().map(|&i| points[i]).collect(), search);
+        }
+    }
+    let mut members = window.members();
+    for member in &mut members {
+        member.index = alive[member.index];
+    }
+    if search.sieve {
+        members = above_background(points, members);
+    }
+    if members.len() < FEWEST {
+        members.clear();
+    }
+    members
+}
+
+/// Points and the windows about them.
+struct Windows {
+    points: Vec<DVec2>,
+    tree: Tree,
+    radii: Vec<Option<f64>>,
+}
+
+impl Windows {
+    fn new(points: Vec<DVec2>, search: &Search) -> Self {
+        let tree = Tree::new(&points);
+        let radii = scales(&points, &tree, search.alarms);
+        let scaled = |r: Option<f64>| r.map(|r| r * search.factor).filter(|&r| r > 0.0);
+        let radii = radii.into_iter().map(scaled).collect();
+        Self {
+            points,
+            tree,
+            radii,
+        }
+    }
+
+    fn at(&self, i: usize) -> Option<(Vec<usize>, Parabola)> {
+        let radius = WINDOW * self.radii[i]?;
+        let members = self.tree.within(self.points[i], radius);
+        let found = parabola(&self.points, &members, self.points[i], radius)?;
+        Some((members, found))
+    }
+
+    /// Whether each point has a scale and enough of the windows that see it support it.
+    fn supported(&self) -> Vec<bool> {
+        let count = self.points.len();
+        let zeros = || (0..count).map(|_| AtomicU32::new(0)).collect::<Vec<_>>();
+        let (seen, for_it) = (zeros(), zeros());
+        (0..count).into_par_iter().for_each(|i| {
+            let Some((members, found)) = self.at(i) else {
+                return;
+            };
+            // Sums of integers: the order of threads does not matter.
+            for (&j, supported) in members.iter().zip(found.supported) {
+                if j != i {
+                    seen[j].fetch_add(1, Ordering::Relaxed);
+                    for_it[j].fetch_add(u32::from(supported), Ordering::Relaxed);
+                }
+            }
+        });
+        let load = |a: &AtomicU32| f64::from(a.load(Ordering::Relaxed));
+        (0..count)
+            .map(|i| {
+                let seen = load(&seen[i]);
+                self.radii[i].is_some() && seen > 0.0 && load(&for_it[i]) >= SUPPORT * seen
+            })
+            .collect()
+    }
+
+    fn members(&self) -> Vec<Member> {
+        let member = |i: usize| {
+            let radius = self.radii[i]?;
+            let (members, found) = self.at(i)?;
+            Some(Member {
+                index: i,
+                place: found.place,
+                radius,
+                sigma: found.sigma,
+                count: members.len(),
+            })
+        };
+        let all: Vec<Option<Member>> = (0..self.points.len()).into_par_iter().map(member).collect();
+        all.into_iter().flatten().collect()
+    }
+}
+
+/// The members whose windows hold more points along them than the background explains. What is
+/// no member is background; to a fixpoint.
+fn above_background(points: &[DVec2], members: Vec<Member>) -> Vec<Member> {
+    let area = hull_area(points);
+    let log_n = (points.len() as f64).ln();
+    let mut kept = members.len();
+    let mut stays = vec![true; members.len()];
+    for _ in 0..6 {
+        let density = (points.len() - kept + 1) as f64 / area;
+        let is_dense = |m: &Member| {
+            let (count, length) = (m.count as f64, 2.0 * WINDOW * m.radius);
+            let width = WIDTH * m.sigma.max(THINNEST * length / count);
+            count * ((count / length / width / density).ln() - 1.0) > EVIDENCE * log_n
+        };
+        let next: Vec<bool> = members.iter().map(is_dense).collect();
+        if next == stays {
+            break;
+        }
+        kept = next.iter().filter(|&&s| s).count();
+        stays = next;
+    }
+    let pairs = members.into_iter().zip(stays);
+    pairs.filter_map(|(m, stays)| stays.then_some(m)).collect()
+}

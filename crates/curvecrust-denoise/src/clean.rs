@@ -1,0 +1,232 @@
+//! Whether points lie on their curves, and which of them do not when the rest does.
+
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use curvecrust_geometry::{Chain, EdgeSet, PointSet};
+use curvecrust_reconstruct::{Known, LeastDetour, ReconstructError, Reconstructor};
+
+use crate::robust::{NORMAL, median};
+use crate::tree::Tree;
+
+/// Points are clean whose residuals from the cubic through their neighbours have a deviation below
+/// this share of the spacing.
+pub(crate) const CLEAN: f64 = 0.05;
+/// A spike: a point whose removal takes this much of the turning about it, in radians,
+const SPIKE: f64 = 0.7;
+/// and leaves less than this share of it.
+const LEFT: f64 = 0.5;
+/// The points on each side about which turning is measured.
+const SIDE: usize = 4;
+/// A rejected point near a chain is looked at again, within this many spacings.
+const NEAR: f64 = 4.0;
+const ROUNDS: usize = 10;
+
+/// The edges of least detour through the points, as far as nothing is known that forbids them.
+pub(crate) fn edges(points: &PointSet, known: &Known) -> Result<EdgeSet, ReconstructError> {
+    LeastDetour.reconstruct_known(points, known)
+}
+
+/// The deviation of points from the cubics through their neighbours in a chain, in spacings;
+/// infinite of fewer than five such points.
+pub(crate) fn noise(points: &PointSet, chains: &[Chain]) -> f64 {
+    let mut residuals = Vec::new();
+    for chain in chains {
+        let along: Vec<DVec2> = chain.vertices().iter().map(|&v| points[v]).collect();
+        let count = along.len();
+        let (least, skip) = if chain.is_closed() { (6, 0) } else { (5, 2) };
+        if count < least {
+            continue;
+        }
+        let inner = skip..count - skip;
+        residuals.extend(inner.filter_map(|i| {
+            residual([count - 2, count - 1, 0, 1, 2].map(|step| along[(i + step) % count]))
+        }));
+    }
+    if residuals.len() < 5 {
+        return f64::INFINITY;
+    }
+    NORMAL * median(&mut residuals)
+}
+
+/// How far the middle of five points lies from the cubic through the others, across the curve, in
+/// spacings; scaled so that white noise keeps its deviation.
+fn residual([a, b, p, c, d]: [DVec2; 5]) -> Option<f64> {
+    let (before, after) = (b.distance(p), p.distance(c));
+    let gap = b.distance(c);
+    // The parameter must not depend on the point itself: the gap of its neighbours, in proportion.
+    let share = gap / (before + after);
+    let (t1, t2) = (-before * share, after * share);
+    let nodes = [t1 - a.distance(b), t1, t2, t2 + c.distance(d)];
+    let mut place = DVec2::ZERO;
+    let mut squares = 1.0;
+    for (i, q) in [a, b, c, d].into_iter().enumerate() {
+        let others = (0..4).filter(|&j| j != i);
+        let weight: f64 = others.map(|j| nodes[j] / (nodes[j] - nodes[i])).product();
+        place += weight * q;
+        squares += weight * weight;
+    }
+    let across = (c - b).normalize_or_zero().perp_dot(p - place);
+    let spacing = (a.distance(b) + before + after + c.distance(d)) / 4.0;
+    let residual = across.abs() / squares.sqrt() / spacing;
+    residual.is_finite().then_some(residual)
+}
+
+/// The sum of the angles by which a polyline turns.
+fn turning(points: &[DVec2]) -> f64 {
+    let turn = |w: &[DVec2]| {
+        let [a, b] = [w[1] - w[0], w[2] - w[1]];
+        a.perp_dot(b).atan2(a.dot(b)).abs().min(PI)
+    };
+    points.windows(3).map(turn).sum()
+}
+
+/// The points that lie on clean curves: without those that the band left out, but for the ones near
+/// its chains, and without spikes. Where nothing is left out, all points.
+pub(crate) fn on_curves(points: &[DVec2], band: &[bool]) -> Option<Vec<bool>> {
+    let all = vec![true; points.len()];
+    let first = without_spikes(points, &all, all.clone())?;
+    if first.iter().all(|&stays| stays) || band.iter().all(|&b| !b) {
+        return Some(first);
+    }
+    without_spikes(points, band, readmitted(points, band))
+}
+
+/// The band and what lies within some spacings of it.
+fn readmitted(points: &[DVec2], band: &[bool]) -> Vec<bool> {
+    let inside: Vec<DVec2> = points
+        .iter()
+        .zip(band)
+        .filter_map(|(&p, &b)| b.then_some(p))
+        .collect();
+    let tree = Tree::new(&inside);
+    let is_near = |p: DVec2| {
+        let Some((nearest, squared)) = tree.nearest(p).next() else {
+            return false;
+        };
+        let around: Vec<f64> = tree
+            .nearest(inside[nearest])
+            .take(8)
+            .map(|(_, s)| s)
+            .collect();
+        let spacing = around.last().map_or(0.0, |s| s.sqrt() / 4.0);
+        squared.sqrt() < NEAR * spacing
+    };
+    points
+        .iter()
+        .zip(band)
+        .map(|(&p, &b)| b || is_near(p))
+        .collect()
+}
+
+fn without_spikes(points: &[DVec2], band: &[bool], mut stays: Vec<bool>) -> Option<Vec<bool>> {
+    for _ in 0..ROUNDS {
+        let ids: Vec<usize> = (0..points.len()).filter(|&i| stays[i]).collect();
+        // Moved away from zero, below whose magnitude predicates lose digits.
+        let moved = ids.iter().map(|&i| points[i] + DVec2::ONE).collect();
+        let set = PointSet::merging_duplicates(moved).ok()?;
+        let places: Vec<DVec2> = set.points.points().to_vec();
+        let found = edges(&set.points, &Known::default()).ok()?;
+        let outside = |i: usize| !band[ids[set.origin[i]]];
+        let mut dropped: Vec<usize> = found.isolated().iter().map(|v| v.index()).collect();
+        for chain in found.chains() {
+            let along: Vec<usize> = chain.vertices().iter().map(|v| v.index()).collect();
+            if along.len() < 5 {
+                let out = along.iter().filter(|&&i| outside(i)).count();
+                if 2 * out > along.len() {
+                    dropped.extend(along);
+                }
+                continue;
+            }
+            dropped.extend(spikes(&places, &along, chain.is_closed()));
+            if !chain.is_closed() {
+                dropped.extend(loose_ends(&places, &along).filter(|&i| outside(i)));
+            }
+        }
+        if dropped.is_empty() {
+            break;
+        }
+        for i in dropped {
+            stays[ids[set.origin[i]]] = false;
+        }
+    }
+    Some(stays)
+}
+
+/// Inner points of a chain that stand out; of those near each other only the worst.
+fn spikes(places: &[DVec2], along: &[usize], closed: bool) -> Vec<usize> {
+    let count = along.len();
+    let round = closed && count > 2 * SIDE;
+    let inner = if closed { 0..count } else { 1..count - 1 };
+    let mut found = Vec::new();
+    for i in inner {
+        let window: Vec<usize> = if round {
+            (0..=2 * SIDE)
+                .map(|k| (i + count + k - SIDE) % count)
+                .collect()
+        } else {
+            (i.saturating_sub(SIDE)..=(i + SIDE).min(count - 1)).collect()
+        };
+        let at = |k: &usize| places[along[*k]];
+        let with: Vec<DVec2> = window.iter().map(at).collect();
+        let without: Vec<DVec2> = window.iter().filter(|&&k| k != i).map(at).collect();
+        let (with, without_it) = (turning(&with), turning(&without));
+        if without.len() >= 4 && with - without_it > SPIKE && without_it < LEFT * with {
+            found.push((with - without_it, i));
+        }
+    }
+    found.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut taken: Vec<usize> = Vec::new();
+    for (_, i) in found {
+        let apart = |&j: &usize| {
+            let d = i.abs_diff(j);
+            if closed { d.min(count - d) > 3 } else { d > 3 }
+        };
+        if taken.iter().all(apart) {
+            taken.push(i);
+        }
+    }
+    taken.iter().map(|&i| along[i]).collect()
+}
+
+/// Ends of an open chain that turn off or stand far away.
+fn loose_ends<'a>(places: &'a [DVec2], along: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
+    let inwards = [along.to_vec(), along.iter().rev().copied().collect()];
+    inwards.into_iter().filter_map(|ids: Vec<usize>| {
+        let at: Vec<DVec2> = ids.iter().take(6).map(|&i| places[i]).collect();
+        let steps: Vec<f64> = at.windows(2).map(|w| w[0].distance(w[1])).collect();
+        let (first, rest) = steps.split_first()?;
+        let longest = rest.iter().copied().fold(0.0, f64::max);
+        (turning(&at[..3]) > 1.0 || *first > 3.0 * longest).then_some(ids[0])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(n: u32) -> Vec<DVec2> {
+        let angle = |i: u32| f64::from(i) * std::f64::consts::TAU / f64::from(n);
+        (0..n).map(|i| DVec2::from_angle(angle(i))).collect()
+    }
+
+    #[test]
+    fn a_circle_has_no_noise() {
+        let points = PointSet::new(circle(40)).unwrap();
+        let found = edges(&points, &Known::default()).unwrap();
+        // The fourth power of an eighth of a radian, and a share of it since chords stand for arcs.
+        let noise = noise(&points, &found.chains());
+        assert!(noise < 2e-3, "{noise}");
+    }
+
+    #[test]
+    fn a_spike_is_found_and_nothing_else() {
+        let mut points = circle(40);
+        points.push(DVec2::from_angle(0.08) * 1.2);
+        let band = vec![true; 41];
+        let stays = on_curves(&points, &band).unwrap();
+        assert_eq!(stays.iter().filter(|&&s| !s).count(), 1);
+        assert!(!stays[40]);
+    }
+}

@@ -1,0 +1,226 @@
+//! From points to curves: the steps in order.
+
+use glam::DVec2;
+
+use curvecrust_geometry::{PointSet, Similarity, point_set::by_coordinates};
+use curvecrust_reconstruct::{HnnCrust, LeastDetour, Reconstructor};
+
+use crate::band::{Search, band};
+use crate::chain::{bridged, chains, guide, thinned};
+use crate::clean::{self, CLEAN};
+use crate::convert;
+use crate::error::DenoiseError;
+use crate::fitted::Fitted;
+use crate::model::{Model, model};
+use crate::options::Options;
+use crate::refine::refined;
+use crate::spline::Guide;
+use crate::tree::Tree;
+
+/// Fewer points than this are taken as clean: scatter cannot be told from a curve that bends.
+const FEWEST: usize = 16;
+/// By how much larger the windows are than their scale asks for; the likelihood chooses.
+const FACTORS: [f64; 4] = [0.75, 1.0, 1.4, 2.0];
+/// With more points than this the scale itself is good enough.
+const MANY: usize = 20_000;
+/// Points are not clean if HNN-Crust sees them scatter by as many spacings. It is far faster than
+/// least detour on points that scatter, and sees a little more noise.
+const SCATTERED: f64 = 4.0 * CLEAN;
+/// The least evidence of curves against points that form none. Such points, spread evenly, reach
+/// 0.4.
+const EVIDENCE: f64 = 0.5;
+/// The least evidence where none is taken away before. Even points reach 1.05.
+const RELAXED_EVIDENCE: f64 = 2.0;
+/// If no curve is found: how many round neighbourhoods may pass for strokes.
+const ALARMS: [f64; 3] = [1e2, 1e4, 1e6];
+
+/// Fits curves to points that scatter about them, among others that belong to none.
+///
+/// Nothing has to be known. Points that are clean give the edges of
+/// [`LeastDetour`](curvecrust_reconstruct::LeastDetour); points that form no curve give none. Equal
+/// points in another order give the same curves, as do points scaled by a power of two.
+///
+/// ```
+/// use curvecrust_denoise::denoise;
+/// use curvecrust_geometry::{DVec2, PointSet, Random};
+///
+/// // A circle of radius 10, points that scatter about it by 0.5, and some that belong nowhere.
+/// let mut random = Random::new(5);
+/// let mut points = Vec::new();
+/// for _ in 0..400 {
+///     let angle = random.between(0.0, std::f64::consts::TAU);
+///     let noise = 0.5 * DVec2::new(random.normal(), random.normal());
+///     points.push(10.0 * DVec2::from_angle(angle) + noise);
+/// }
+/// for _ in 0..20 {
+///     points.push(DVec2::new(random.between(-12.0, 12.0), random.between(-12.0, 12.0)));
+/// }
+/// let fitted = denoise(&PointSet::new(points)?);
+/// let [circle] = &*fitted.curves else { panic!("one curve") };
+/// assert!(circle.closed && (0.4..0.6).contains(&fitted.sigma()));
+/// for place in circle.polyline(0.01) {
+///     assert!((place.length() - 10.0).abs() < 0.5);
+/// }
+/// assert!(fitted.outliers().len() > 8);
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn denoise(points: &PointSet) -> Fitted {
+    // Without anything that is known nothing can contradict it.
+    denoise_with(points, &Options::default()).unwrap_or_default()
+}
+
+/// [`denoise`], told what is known about the curves.
+///
+/// # Errors
+/// [`DenoiseError::Sigma`] for a deviation that is no length; [`DenoiseError::Reconstruct`] if the
+/// points are clean, or fewer than 16, and no curves through them are as they are known to be.
+pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, DenoiseError> {
+    options.check()?;
+    let all = vec![true; points.len()];
+    let is_known_clean = options.sigma.is_some_and(|sigma| sigma <= 0.0);
+    if points.len() < FEWEST || is_known_clean {
+        let edges = clean::edges(points, &options.known())?;
+        return Ok(convert::clean(points, &all, edges));
+    }
+    let frame = Frame::new(points);
+    let found = frame.best(options);
+    let in_band = found.as_ref().map(|(_, band)| band.clone());
+    if options.sigma.is_none()
+        && let Some(fitted) = clean_points(points, &frame, in_band, options)?
+    {
+        return Ok(fitted);
+    }
+    let model = found.map(|(model, _)| model);
+    Ok(convert::noisy(
+        points.len(),
+        &frame.order,
+        frame.to_unit,
+        model.as_ref(),
+    ))
+}
+
+/// The points in the unit box, sorted by coordinates: what follows does not depend on their order.
+struct Frame {
+    to_unit: Similarity,
+    /// The index of each point.
+    order: Vec<usize>,
+    points: Vec<DVec2>,
+}
+
+impl Frame {
+    fn new(points: &PointSet) -> Self {
+        let to_unit = Similarity::to_unit_box(points.points().iter().copied());
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        let at = |i: usize| points.points()[i];
+        order.sort_unstable_by(|&i, &j| by_coordinates(at(i), at(j)));
+        let points = order.iter().map(|&i| to_unit.apply(at(i))).collect();
+        Self {
+            to_unit,
+            order,
+            points,
+        }
+    }
+
+    /// The model of the best score over several scales, and which points its band holds.
+    fn best(&self, options: &Options) -> Option<(Model, Vec<bool>)> {
+        let factors = if self.points.len() > MANY {
+            &FACTORS[1..2]
+        } else {
+            &FACTORS[..]
+        };
+        let sieved = factors.iter().map(|&factor| Search {
+            alarms: 1.0,
+            factor,
+            sieve: true,
+        });
+        let tried = sieved.filter_map(|search| self.at(&search, options));
+        let best = tried.max_by(|a, b| a.0.score.total_cmp(&b.0.score));
+        let relaxed = ALARMS.map(|alarms| Search {
+            alarms,
+            factor: 1.0,
+            sieve: false,
+        });
+        best.or_else(|| relaxed.iter().find_map(|search| self.at(search, options)))
+    }
+
+    fn at(&self, search: &Search, options: &Options) -> Option<(Model, Vec<bool>)> {
+        let members = band(&self.points, search);
+        if members.is_empty() {
+            return None;
+        }
+        let mut in_band = vec![false; self.points.len()];
+        for member in &members {
+            in_band[member.index] = true;
+        }
+        let places = thinned(&self.points, &members);
+        let tree = Tree::new(&self.points);
+        let chains = bridged(chains(&places), &places, &self.points, &tree);
+        let chains = crate::known::agreeing(chains, &places, options);
+        let scale = 1.0 / self.to_unit.invert_length(1.0);
+        let sigma = options.sigma.map(|sigma| sigma * scale);
+        let guides: Vec<Guide> = chains.iter().map(|chain| guide(&places, chain)).collect();
+        let found = model(&self.points, &guides, sigma)?;
+        let least = if search.sieve {
+            EVIDENCE
+        } else {
+            RELAXED_EVIDENCE
+        };
+        if found.evidence < least {
+            return None;
+        }
+        Some((refined(&self.points, found, sigma, options), in_band))
+    }
+}
+
+/// The result for points that lie on their curves, if they do, outliers aside.
+fn clean_points(
+    points: &PointSet,
+    frame: &Frame,
+    in_band: Option<Vec<bool>>,
+    options: &Options,
+) -> Result<Option<Fitted>, DenoiseError> {
+    let in_band = in_band.unwrap_or_else(|| vec![true; points.len()]);
+    let inside = frame
+        .points
+        .iter()
+        .zip(&in_band)
+        .filter_map(|(&p, &b)| b.then_some(p));
+    // Moved away from zero, below whose magnitude predicates lose digits.
+    let inside = PointSet::new(inside.map(|p| p + DVec2::ONE).collect());
+    let sets = [
+        Some(points),
+        inside
+            .as_ref()
+            .ok()
+            .filter(|inside| inside.len() < points.len()),
+    ];
+    let least = |noise: &dyn Fn(&PointSet) -> f64| {
+        sets.iter()
+            .flatten()
+            .map(|set| noise(set))
+            .fold(f64::INFINITY, f64::min)
+    };
+    if least(&|set| clean::noise(set, &HnnCrust::MUTUAL.reconstruct(set).chains())) >= SCATTERED
+        || least(&|set| clean::noise(set, &LeastDetour.reconstruct(set).chains())) >= CLEAN
+    {
+        return Ok(None);
+    }
+    let Some(sorted) = clean::on_curves(&frame.points, &in_band) else {
+        return Ok(None);
+    };
+    let mut stays = vec![false; points.len()];
+    for (&i, &s) in frame.order.iter().zip(&sorted) {
+        stays[i] = s;
+    }
+    let left = points
+        .points()
+        .iter()
+        .zip(&stays)
+        .filter_map(|(&p, &s)| s.then_some(p));
+    let Ok(left) = PointSet::new(left.collect()) else {
+        return Ok(None);
+    };
+    let edges = clean::edges(&left, &options.known())?;
+    Ok(Some(convert::clean(points, &stays, edges)))
+}
