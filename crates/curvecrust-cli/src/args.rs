@@ -1,8 +1,10 @@
 //! The arguments as they were typed. Commands make jobs of them, and never look at them again.
 
+mod fit;
 mod known;
 mod values;
 
+pub(crate) use fit::{Fit, Told};
 pub(crate) use known::Known;
 pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 
@@ -42,6 +44,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Sample(Sample),
     Reconstruct(Reconstruct),
+    Fit(Fit),
     Check(Check),
     Evaluate(Evaluate),
     MedialAxis(MedialAxis),
@@ -198,6 +201,9 @@ pub(crate) struct Draw {
     /// Show in colours why edges are there, and what was rejected at open ends
     #[arg(long, requires = "edges")]
     pub(crate) why: bool,
+    /// Smooth curves fitted to the points, which may scatter: see `curvecrust fit`
+    #[arg(long, requires = "points", conflicts_with = "edges")]
+    pub(crate) fit: bool,
     /// Marks at points with another number of edges than on a closed curve
     #[arg(long, requires = "points")]
     pub(crate) violations: bool,

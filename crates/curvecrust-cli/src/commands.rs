@@ -8,6 +8,7 @@ mod condition;
 mod curve_source;
 mod draw;
 mod evaluate;
+mod fit;
 mod guarantee;
 mod lfs;
 mod medial_axis;
@@ -25,12 +26,16 @@ use serde::Serialize;
 pub(crate) enum Job {
     Sample(sample::Job),
     Reconstruct(reconstruct::Job),
+    /// By far the largest.
+    Fit(Box<fit::Job>),
     Check(check::Job),
     Evaluate(evaluate::Job),
     MedialAxis(medial_axis::Job),
     Lfs(lfs::Job),
     Draw(draw::Job),
-    Algorithms { json: bool },
+    Algorithms {
+        json: bool,
+    },
     Completions(Shell),
 }
 
@@ -39,6 +44,7 @@ impl Job {
         Ok(match command {
             Command::Sample(args) => Self::Sample(sample::Job::new(args)?),
             Command::Reconstruct(args) => Self::Reconstruct(reconstruct::Job::new(args)?),
+            Command::Fit(args) => Self::Fit(Box::new(fit::Job::new(args)?)),
             Command::Check(args) => Self::Check(check::Job::new(args)?),
             Command::Evaluate(args) => Self::Evaluate(args.into()),
             Command::MedialAxis(args) => Self::MedialAxis(medial_axis::Job::new(args)?),
@@ -58,6 +64,7 @@ impl Job {
         match self {
             Self::Sample(job) => job.run(console),
             Self::Reconstruct(job) => job.run(console),
+            Self::Fit(job) => job.run(console),
             Self::Check(job) => job.run(console),
             Self::Evaluate(job) => job.run(console),
             Self::MedialAxis(job) => job.run(console),

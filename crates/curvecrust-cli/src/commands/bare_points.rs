@@ -219,6 +219,14 @@ impl BarePoints {
         (0..self.row_count()).map(at)
     }
 
+    /// The point of every row.
+    pub(crate) fn points_of_rows(&self) -> impl Iterator<Item = PointId> + '_ {
+        (0..self.row_count()).filter_map(|row| match &self.merged {
+            Some(merged) => merged.point_of.get(row).copied(),
+            None => PointId::new(row),
+        })
+    }
+
     /// The rows that another one stands for, each with that.
     pub(crate) fn duplicates(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.merged.iter().flat_map(|merged| {

@@ -2,13 +2,14 @@
 
 use super::bare_points::{BarePoints, PointSource};
 use super::curve_source::CurveSource;
-use super::{Outcome, reconstruct};
+use super::{Outcome, fit, reconstruct};
 use crate::args::{self, Algorithm};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Places};
 use anyhow::ensure;
 use curvecrust::curve::Curve;
+use curvecrust::denoise::{Fitted, denoise};
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
 use curvecrust::reconstruct::{Explanation, HnnCrust, Known, Reconstruction};
@@ -36,6 +37,7 @@ struct PointLayers {
     /// The algorithm whose edges are drawn.
     edges: Option<Algorithm>,
     why: bool,
+    fit: bool,
     violations: bool,
 }
 
@@ -52,6 +54,7 @@ impl Job {
                 source: PointSource::new(path, args.reading),
                 edges: args.edges,
                 why: args.why,
+                fit: args.fit,
                 violations: args.violations,
             }),
         })
@@ -121,6 +124,7 @@ struct DrawnPoints<'a> {
     bare: BarePoints,
     curves: Option<Reconstruction>,
     why: Option<Explanation>,
+    fitted: Option<Fitted>,
 }
 
 impl PointLayers {
@@ -131,7 +135,12 @@ impl PointLayers {
             bare,
             curves: None,
             why: None,
+            fitted: None,
         };
+        if self.fit {
+            let points = &drawn.bare.points;
+            drawn.fitted = Some(console.during("fitting", |_| denoise(points)));
+        }
         if self.edges.is_none() && !self.violations {
             return Ok(drawn);
         }
@@ -173,7 +182,10 @@ impl DrawnPoints<'_> {
                 junctions: Places::named(points, curves.junctions()),
             });
         }
-        layers.push(Layer::Points(points.points()));
+        match &self.fitted {
+            Some(fitted) => layers.extend(fit::layers(&self.bare, fitted)),
+            None => layers.push(Layer::Points(points.points())),
+        }
         layers
     }
 }

@@ -1,7 +1,7 @@
 //! `curvecrust reconstruct`: points to curves.
 
 mod hints;
-mod polygons;
+pub(super) mod polygons;
 mod result;
 mod summary;
 mod why;
@@ -13,7 +13,9 @@ use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results, npy};
 use curvecrust::geometry::{EdgeSet, PointSet};
-use curvecrust::reconstruct::{Explanation, Known, ReconstructError, Reconstruction, Shape};
+use curvecrust::reconstruct::{
+    Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor, Shape,
+};
 use result::Found;
 pub(crate) use result::paths;
 use summary::Summary;
@@ -126,6 +128,22 @@ pub(crate) fn explained(
         Some(why) => Ok((why.edge_set(points.len()), Some(why))),
         None => Ok((algorithm.reconstruct_known(points, known)?, None)),
     }
+}
+
+/// Writes edges between points as `reconstruct` does by default, in every format but `npy`.
+pub(super) fn write_edges(
+    output: &Output,
+    bare: &BarePoints,
+    edges: EdgeSet,
+) -> anyhow::Result<()> {
+    let found = Found {
+        algorithm: LeastDetour.info().name,
+        bare,
+        known: &Known::default(),
+        curves: Reconstruction::new(&bare.points, edges)?,
+        why: None,
+    };
+    write_curves(output, &found)
 }
 
 /// Writes the curves, in every format but the one that holds edges alone.

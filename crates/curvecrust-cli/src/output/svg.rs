@@ -8,6 +8,7 @@
 //! Colours differ in lightness too, and lines from marks in shape, so that a picture can be read in
 //! grey.
 
+mod fitted;
 mod frame;
 mod lfs;
 mod why;
@@ -15,6 +16,7 @@ mod why;
 use super::{Number, Places};
 use curvecrust::DVec2;
 use curvecrust::curve::Curve;
+use curvecrust::denoise::Fitted;
 use curvecrust::geometry::{PointSet, Segment};
 use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::Explanation;
@@ -38,6 +40,10 @@ pub(crate) enum Layer<'a> {
     Edges(Vec<Path<'a>>),
     /// Found edges, told apart by why they are there, and what was rejected at open ends.
     Why(&'a PointSet, &'a Explanation),
+    /// Smooth curves fitted to points, with a band that shows how sure they are.
+    Fitted(&'a Fitted),
+    /// The points that curves were fitted to, outliers told apart.
+    FittedPoints(&'a PointSet, &'a Fitted),
     /// Sample points.
     Points(&'a [DVec2]),
     /// Where the sampling was too sparse.
@@ -90,9 +96,10 @@ impl Layer<'_> {
                 }
             }
             Self::Why(points, explanation) => why::write(out, points, explanation, pixel)?,
+            Self::Fitted(fitted) => fitted::curves(out, fitted, pixel)?,
+            Self::FittedPoints(points, fitted) => fitted::points(out, points, fitted, pixel)?,
             Self::Points(points) => {
-                // Many points are small, so that they do not melt into each other.
-                let radius = (720.0 / points.len() as f64).clamp(1.0, 4.0) * pixel;
+                let radius = point_radius(points.len()) * pixel;
                 writeln!(out, r##"<g id="points" fill="#111">"##)?;
                 for p in *points {
                     let (x, y, r) = (Number(p.x), Number(p.y), Number(radius));
@@ -150,20 +157,39 @@ struct CurveData<'a>(&'a Curve);
 impl fmt::Display for CurveData<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, component) in self.0.components().iter().enumerate() {
-            let mut start = if i == 0 { "M" } else { " M" };
-            for segment in component.segments() {
-                let [p0, p1, p2, p3] = segment.control_points();
-                if !start.is_empty() {
-                    write!(f, "{start} {} {}", Number(p0.x), Number(p0.y))?;
-                }
-                start = "";
-                let [x1, y1, x2, y2, x3, y3] = [p1.x, p1.y, p2.x, p2.y, p3.x, p3.y].map(Number);
-                write!(f, " C {x1} {y1} {x2} {y2} {x3} {y3}")?;
-            }
-            f.write_str(if component.is_closed() { " Z" } else { "" })?;
+            let between = if i == 0 { "" } else { " " };
+            let cubics: Vec<_> = component
+                .segments()
+                .iter()
+                .map(|s| s.control_points())
+                .collect();
+            write!(f, "{between}{}", CubicData(&cubics, component.is_closed()))?;
         }
         Ok(())
     }
+}
+
+/// The path data of cubics end to end, and whether they are closed.
+struct CubicData<'a>(&'a [[DVec2; 4]], bool);
+
+impl fmt::Display for CubicData<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(cubics, closed) = self;
+        for (i, [p0, p1, p2, p3]) in cubics.iter().enumerate() {
+            if i == 0 {
+                write!(f, "M {} {}", Number(p0.x), Number(p0.y))?;
+            }
+            let [x1, y1, x2, y2, x3, y3] = [p1.x, p1.y, p2.x, p2.y, p3.x, p3.y].map(Number);
+            write!(f, " C {x1} {y1} {x2} {y2} {x3} {y3}")?;
+        }
+        f.write_str(if *closed { " Z" } else { "" })
+    }
+}
+
+/// The radius of a point in pixels. Many points are small, so that they do not melt into each
+/// other.
+fn point_radius(count: usize) -> f64 {
+    (720.0 / count as f64).clamp(1.0, 4.0)
 }
 
 /// The corners of a regular polygon, the first at the top.

@@ -11,6 +11,7 @@ mod bad_input;
 mod curves;
 mod docs;
 mod files;
+mod fit;
 mod formats;
 mod harness;
 #[cfg(target_os = "linux")]

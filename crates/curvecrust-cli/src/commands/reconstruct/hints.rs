@@ -72,8 +72,9 @@ fn shape(points: &PointSet, partners: &Partners, loose: usize) -> Option<String>
         return None;
     };
     Some(format!(
-        "{what}: the points may scatter about their curves, be too sparse for them, or lie on lines \
-         that meet; more points help, and --closed, --open and --curves for what is known"
+        "{what}: the points may scatter about their curves, which `curvecrust fit` is for, be too \
+         sparse for them, or lie on lines that meet; more points help, and --closed, --open and \
+         --curves for what is known"
     ))
 }
 

@@ -4,11 +4,11 @@ use curvecrust::reconstruct::{NestedChain, Reconstruction};
 
 /// A ring that belongs to a polygon; indices of chains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Ring {
+pub(in super::super) struct Ring {
     /// The ring at the outside of the polygon.
-    pub(super) outside: usize,
+    pub(in super::super) outside: usize,
     /// Another one right inside it; `None` for the outside itself.
-    pub(super) hole: Option<usize>,
+    pub(in super::super) hole: Option<usize>,
 }
 
 /// Every ring once, polygon by polygon in the order of their outsides, each outside before its
@@ -16,7 +16,7 @@ pub(super) struct Ring {
 ///
 /// Rings at odd nesting are holes of the ring right around them. A hole around which there is none,
 /// as may be where rings cross, is the outside of a polygon of its own.
-pub(super) fn rings(curves: &Reconstruction) -> Vec<Ring> {
+pub(in super::super) fn rings(curves: &Reconstruction) -> Vec<Ring> {
     let ring = |(index, chain): (usize, &NestedChain)| {
         let is_odd = chain.nesting? % 2 == 1;
         let around = chain.parent.filter(|_| is_odd);

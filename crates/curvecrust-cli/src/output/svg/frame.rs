@@ -78,6 +78,13 @@ fn framed<'a>(layer: &'a Layer<'_>) -> Box<dyn Iterator<Item = DVec2> + 'a> {
         Layer::Lfs(measured) => Box::new(measured.dense().points().iter().copied()),
         Layer::Edges(paths) => Box::new(paths.iter().flat_map(|path| path.0.iter())),
         Layer::Points(points) => Box::new(points.iter().copied()),
+        Layer::FittedPoints(points, _) => Box::new(points.points().iter().copied()),
+        Layer::Fitted(fitted) => Box::new(
+            fitted
+                .curves
+                .iter()
+                .flat_map(|c| c.cubics.iter().flatten().copied()),
+        ),
         Layer::Why(points, _) => Box::new(points.points().iter().copied()),
         Layer::Axis(_) | Layer::Marks { .. } => Box::new(std::iter::empty()),
     }
