@@ -11,6 +11,7 @@ mod ci;
 mod compare;
 mod docs;
 mod fetch_paper_data;
+mod noise;
 mod python;
 mod reproduce_paper;
 mod test;
@@ -46,6 +47,8 @@ enum Task {
     Compare(compare::Args),
     /// Draw and write the generated files under docs, or check that they are fresh
     Docs(docs::Args),
+    /// Fit curves to points that scatter about known ones: tables, and pictures of what went wrong
+    Noise(noise::Args),
     /// The Python package: build its wheel, test it, build its pages, measure it
     Python(python::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Task::Bench(args) => bench::run(&args),
         Task::Compare(args) => compare::run(&args),
         Task::Docs(args) => docs::run(&args),
+        Task::Noise(args) => noise::run(&args),
         Task::Python(args) => python::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
         Task::Web(args) => web::run(&args),

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`paper`] | the paper's tables and figures, measured and drawn |
 //! | [`compare`] | comparisons of algorithms: experiments, rows, means, tables, plots, a page |
+//! | [`noise`] | curves fitted to points that scatter about known ones |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
 //! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
@@ -15,6 +16,7 @@ pub mod docs;
 pub mod drawing;
 pub mod figure;
 mod method;
+pub mod noise;
 mod page;
 pub mod paper;
 mod png;
