@@ -9,6 +9,7 @@ pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 use crate::format::Format;
 use clap::{ArgGroup, Parser, Subcommand};
 use clap_complete::Shell;
+use curvecrust::curve::svg::Selection;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use values::{algorithm, readable, share};
@@ -174,6 +175,8 @@ pub(crate) struct Draw {
     /// Curves: an SVG document; with their medial axis or local feature size, smooth ones
     #[arg(long, value_name = "CURVE.svg")]
     pub(crate) curve: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) strokes: StrokesOf,
     /// The medial axis of the curve
     #[arg(long, requires = "curve")]
     pub(crate) medial_axis: bool,
@@ -258,6 +261,25 @@ pub(crate) struct Curve {
     /// Number of dense points on each cubic segment instead
     #[arg(long, value_name = "N", conflicts_with = "gap")]
     pub(crate) per_segment: Option<u32>,
+    #[command(flatten)]
+    pub(crate) strokes: StrokesOf,
+}
+
+/// Which strokes of a document are curves.
+#[derive(Debug, clap::Args)]
+pub(crate) struct StrokesOf {
+    /// Take only what is in elements of this id, class or layer; may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub(crate) select: Vec<String>,
+    /// Leave out what is in elements of this id, class or layer; may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub(crate) exclude: Vec<String>,
+}
+
+impl From<StrokesOf> for Selection {
+    fn from(StrokesOf { select, exclude }: StrokesOf) -> Self {
+        Self { select, exclude }
+    }
 }
 
 /// How near the samples have to be.

@@ -6,7 +6,8 @@ use glam::DVec2;
 use crate::bezier::{CubicBezier, bounds};
 use crate::bezier_path::BezierPath;
 use crate::error::{Corner, CurveError};
-use crate::{path_data, smooth, svg};
+use crate::svg::Drawing;
+use crate::{path_data, smooth};
 
 /// A place on a [`Curve`]; ordered along the curve.
 ///
@@ -94,7 +95,7 @@ impl Curve {
     /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds; a subpath without
     /// length is an error.
     pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
-        Self::new(path_data::parse(d)?)
+        Self::new(path_data::drawn(d)?)
     }
 
     /// The curves of an SVG document: all paths and shapes that it draws, in document order and in
@@ -107,7 +108,16 @@ impl Curve {
     /// [`Curve::new`] finds, or any of these as [`CurveError::InElement`] where one element is at
     /// fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        svg::parse(document, Self::new)
+        Self::from_drawing(&Drawing::new(document)?)
+    }
+
+    /// The strokes of a drawing, which have to be smooth.
+    ///
+    /// # Errors
+    /// Those of [`Curve::new`], which name the element.
+    pub fn from_drawing(drawing: &Drawing) -> Result<Self, CurveError> {
+        let curve = Self::new(drawing.components().to_vec());
+        curve.map_err(|error| drawing.with_element(error))
     }
 
     /// The components, in the order in which they were given.

@@ -10,7 +10,8 @@ use crate::bezier::{CubicBezier, bounds};
 use crate::bezier_path::BezierPath;
 use crate::curve::{Curve, checked};
 use crate::error::{Corner, CurveError};
-use crate::{path_data, svg};
+use crate::path_data;
+use crate::svg::Drawing;
 
 /// Curves that may have corners, as smooth pieces.
 ///
@@ -101,7 +102,7 @@ impl SplitCurve {
     /// # Errors
     /// [`CurveError::PathData`], or what [`SplitCurve::new`] finds.
     pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
-        Self::new(path_data::parse(d)?)
+        Self::new(path_data::drawn(d)?)
     }
 
     /// As [`Curve::from_svg`], but split at corners.
@@ -109,15 +110,17 @@ impl SplitCurve {
     /// # Errors
     /// Those of [`Curve::from_svg`], but for [`CurveError::Corners`].
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        Self::from_svg_snapping(document, Self::SNAP)
+        Self::from_drawing(&Drawing::new(document)?, Self::SNAP)
     }
 
-    /// [`from_svg`](Self::from_svg) with another share than [`SNAP`](Self::SNAP), 0 for none.
+    /// The strokes of a drawing, split at corners, with gaps up to a share of the extent joined, as
+    /// by [`snapping`](Self::snapping).
     ///
     /// # Errors
-    /// Those of [`from_svg`](Self::from_svg).
-    pub fn from_svg_snapping(document: &str, share: f64) -> Result<Self, CurveError> {
-        svg::parse(document, |components| Self::snapping(components, share))
+    /// Those of [`new`](Self::new), which name the element.
+    pub fn from_drawing(drawing: &Drawing, share: f64) -> Result<Self, CurveError> {
+        let split = Self::snapping(drawing.components().to_vec(), share);
+        split.map_err(|error| drawing.with_element(error))
     }
 
     /// The same curves with each component on its own: lfs takes no account of the others. So they

@@ -62,7 +62,7 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let curve = self.curve.read(console)?;
         let bare = self.points.read(console)?;
         let condition = self.requirement.map(|r| r.on(&curve)).transpose()?;
         let measured = self.curve.measure(&curve, condition, console)?;

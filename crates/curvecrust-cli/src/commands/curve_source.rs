@@ -4,6 +4,7 @@ use crate::args;
 use crate::console::Console;
 use crate::input::{self, Source};
 use anyhow::{Context, anyhow};
+use curvecrust::curve::svg::{Drawing, Selection};
 use curvecrust::curve::{Curve, CurveError, SplitCurve};
 use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
@@ -19,6 +20,7 @@ const GAP_TO_BOUND: f64 = 0.05;
 #[derive(Debug)]
 pub(super) struct CurveSource {
     path: PathBuf,
+    selection: Selection,
     /// `None`: as finely as the lfs and the condition ask for.
     discretisation: Option<Discretisation>,
 }
@@ -31,6 +33,7 @@ impl From<args::Curve> for CurveSource {
             .map(|gap_to_lfs| Discretisation::Adaptive { gap_to_lfs });
         Self {
             path: args.path,
+            selection: args.strokes.into(),
             discretisation: per_segment.or(adaptive),
         }
     }
@@ -38,9 +41,10 @@ impl From<args::Curve> for CurveSource {
 
 impl CurveSource {
     /// A document whose curves are discretised as finely as needed.
-    pub(super) fn of(path: PathBuf) -> Self {
+    pub(super) fn of(path: PathBuf, selection: Selection) -> Self {
         Self {
             path,
+            selection,
             discretisation: None,
         }
     }
@@ -56,13 +60,13 @@ impl CurveSource {
     }
 
     /// Reads smooth curves.
-    pub(super) fn read(&self) -> anyhow::Result<Curve> {
-        Curve::from_svg(&self.text()?).with_context(|| self.name())
+    pub(super) fn read(&self, console: &Console) -> anyhow::Result<Curve> {
+        Curve::from_drawing(&self.drawing(console)?).with_context(|| self.name())
     }
 
     /// Reads smooth curves; where only corners are wrong, the error names the option that helps.
-    pub(super) fn read_or_advise_split(&self) -> anyhow::Result<Curve> {
-        let read = Curve::from_svg(&self.text()?).map_err(|error| {
+    pub(super) fn read_or_advise_split(&self, console: &Console) -> anyhow::Result<Curve> {
+        let read = Curve::from_drawing(&self.drawing(console)?).map_err(|error| {
             if has_only_corners(&error) {
                 anyhow!("{error}: pass --corners split")
             } else {
@@ -73,8 +77,32 @@ impl CurveSource {
     }
 
     /// Reads curves, split at their corners, with gaps up to a share of the drawing joined.
-    pub(super) fn read_split(&self, snap: f64) -> anyhow::Result<SplitCurve> {
-        SplitCurve::from_svg_snapping(&self.text()?, snap).with_context(|| self.name())
+    pub(super) fn read_split(&self, snap: f64, console: &Console) -> anyhow::Result<SplitCurve> {
+        let drawing = self.drawing(console)?;
+        SplitCurve::from_drawing(&drawing, snap).with_context(|| self.name())
+    }
+
+    /// Reads what is drawn, and tells of what draws nothing.
+    fn drawing(&self, console: &Console) -> anyhow::Result<Drawing> {
+        let drawing = Drawing::selected(&self.text()?, &self.selection);
+        let drawing = drawing.with_context(|| self.name())?;
+        if let Some(first) = drawing.points().next() {
+            let (count, verb) = match drawing.points().len() {
+                1 => (
+                    String::from("a subpath of a single point"),
+                    "draws nothing and is",
+                ),
+                count => (
+                    format!("{count} elements with subpaths of a single point"),
+                    "draw nothing and are",
+                ),
+            };
+            console.note(format_args!(
+                "{}: {count}, which {verb} left out: {first}",
+                self.name()
+            ));
+        }
+        Ok(drawing)
     }
 
     fn text(&self) -> anyhow::Result<String> {

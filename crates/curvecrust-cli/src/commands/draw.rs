@@ -44,7 +44,7 @@ impl Job {
         Ok(Self {
             output: Output::new(args.output, None, args.force, &[Format::Svg])?,
             curve: args.curve.map(|path| CurveLayers {
-                source: CurveSource::of(path),
+                source: CurveSource::of(path, args.strokes.into()),
                 medial_axis: args.medial_axis,
                 lfs: args.lfs,
             }),
@@ -83,9 +83,9 @@ impl CurveLayers {
         let is_measured = self.medial_axis || self.lfs;
         // A picture alone has nothing against corners.
         let curve = if is_measured {
-            self.source.read()?
+            self.source.read(console)?
         } else {
-            self.source.read_split(0.0)?.pieces().clone()
+            self.source.read_split(0.0, console)?.pieces().clone()
         };
         let measured = is_measured
             .then(|| self.source.measure(&curve, None, console))

@@ -62,7 +62,7 @@ impl From<args::Evaluate> for Job {
 
 impl Job {
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let curve = self.curve.read(console)?;
         let bare = self.points.read(console)?;
         let measured = self.curve.measure(&curve, None, console)?;
         let tolerance = self.tolerance.of_extent(curve.extent());

@@ -43,7 +43,7 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let curve = self.curve.read(console)?;
         let measured = self.curve.measure(&curve, None, console)?;
         if let Some(output) = &self.results.output {
             match output.format {

@@ -48,7 +48,7 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let curve = self.curve.read(console)?;
         let measured = self.curve.measure(&curve, None, console)?;
         let axis = MedialAxis::new(measured.dense())?;
         let segments: Vec<Segment> = axis.edges().map(|edge| edge.segment).collect();

@@ -96,9 +96,11 @@ impl Job {
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
         let (curve, sampled) = match self.corners {
-            Corners::Refuse => self.sample_smooth(self.curve.read_or_advise_split()?, console)?,
+            Corners::Refuse => {
+                self.sample_smooth(self.curve.read_or_advise_split(console)?, console)?
+            }
             Corners::Split => {
-                let split = self.curve.read_split(self.snap)?;
+                let split = self.curve.read_split(self.snap, console)?;
                 self.tell_of_joined_gaps(&split, console);
                 self.sample_strokes(split, console)?
             }
