@@ -72,10 +72,11 @@ impl Curve {
     /// which [`SplitCurve`](crate::SplitCurve) takes.
     pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
-        if corners.is_empty() {
-            Ok(Self { components })
-        } else {
-            Err(CurveError::Corners(corners))
+        // A small angle is only left where no handle can take it away.
+        match corners.iter().find(|corner| smooth::is_small(corner)) {
+            Some(&corner) => Err(CurveError::no_handle(corner)),
+            None if corners.is_empty() => Ok(Self { components }),
+            None => Err(CurveError::Corners(corners)),
         }
     }
 
@@ -89,11 +90,11 @@ impl Curve {
     /// Each subpath that draws something is a component. It is closed by `Z` (with a straight
     /// segment if there is a gap), or if its ends meet within 1e-6 of its extent; the end is then
     /// put on the start. A `M` without a segment after it draws nothing and is no component.
-    /// Elliptical arcs become cubics within 1e-7 of their larger radius.
+    /// Nor is a subpath of a single point. Elliptical arcs become cubics within 1e-10 of their larger
+    /// radius; the curvature of a circle is right within 1e-6.
     ///
     /// # Errors
-    /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds; a subpath without
-    /// length is an error.
+    /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds.
     pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
         Self::new(path_data::drawn(d)?)
     }
@@ -174,11 +175,8 @@ pub(crate) fn checked(
     let mut corners = Vec::new();
     let mut check = |(index, component): (usize, &BezierPath)| {
         let mut segments = validated(index, component)?;
-        corners.extend(smooth::smooth_joins(
-            index,
-            &mut segments,
-            component.is_closed(),
-        )?);
+        let found = smooth::smooth_joins(index, &mut segments, component.is_closed());
+        corners.extend(found);
         smooth::check_cusps(index, &segments)?;
         Ok(BezierPath::new(segments, component.is_closed()))
     };

@@ -73,13 +73,27 @@ impl SplitCurve {
             }
         };
         let components: Vec<BezierPath> = components.into_iter().map(join).collect();
-        let (components, corners) = checked(&components)?;
+        let split = Self::cutting(&components, &[])?;
+        Ok(Self { snapped, ..split })
+    }
+
+    /// Splits components at their corners, and where the given segments start: each by the index of
+    /// its component and its own.
+    pub(crate) fn cutting(
+        components: &[BezierPath],
+        cuts: &[(usize, usize)],
+    ) -> Result<Self, CurveError> {
+        let (components, corners) = checked(components)?;
         let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
         for (index, component) in components.into_iter().enumerate() {
             let first = pieces.len();
             let closed = component.is_closed();
             let here = corners.iter().filter(|c| c.component == index);
-            let starts: Vec<usize> = here.map(|c| c.segment).collect();
+            let cuts = cuts.iter().filter(|(component, _)| *component == index);
+            let mut starts: Vec<usize> = here.map(|c| c.segment).collect();
+            starts.extend(cuts.map(|&(_, segment)| segment));
+            starts.sort_unstable();
+            starts.dedup();
             if starts.is_empty() {
                 pieces.push(component);
             } else {
@@ -92,7 +106,7 @@ impl SplitCurve {
             pieces: Curve::of_pieces(pieces),
             components: split,
             corners,
-            snapped,
+            snapped: Vec::new(),
             is_apart: false,
         })
     }
