@@ -57,9 +57,12 @@ pub fn strands(split: &SplitCurve) -> Result<Strands, CurveError> {
     let gap = GAP * split.pieces().extent();
     let strokes = whole(split);
     let dense: Vec<Dense> = strokes.iter().map(|s| Dense::new(s, gap / 8.0)).collect();
+    if dense.iter().map(|d| d.points.len()).sum::<usize>() > touch::POINTS {
+        let what = "its strokes are too long to look for places where they touch: select some";
+        return Err(CurveError::Unsupported { what: what.into() });
+    }
     let (is_cut, touches) = touch::cut(&dense, gap);
     let mut cut = Cut {
-        gap,
         paths: Vec::new(),
         cuts: Vec::new(),
         left_out: Vec::new(),
@@ -110,9 +113,13 @@ fn runs(is_cut: &[bool], closed: bool) -> Vec<(usize, usize)> {
     runs
 }
 
+/// Whether a place is where a closed stroke of so many segments starts.
+fn is_start((segment, t): (usize, f64), order: usize) -> bool {
+    segment == 0 && t <= 0.0 || segment + 1 == order && t >= 1.0
+}
+
 /// What is left of strokes.
 struct Cut {
-    gap: f64,
     paths: Vec<BezierPath>,
     /// Where paths are cut into pieces: the path, and the segment that starts there.
     cuts: Vec<(usize, usize)>,
@@ -129,7 +136,7 @@ impl Cut {
     ) {
         let n = dense.points.len();
         let is_whole = stroke.is_closed() && gaps == n;
-        if !is_whole && gaps as f64 * self.gap / 8.0 < self.gap {
+        if !is_whole && gaps < 8 {
             self.left_out.push(dense.points[from]);
             return;
         }
@@ -165,10 +172,15 @@ impl Cut {
             // Places at joins, as far as numbers tell.
             if stop - at > 1e-9 {
                 let whole = at.floor();
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "a number of segments"
+                )]
                 let index = (start.0 + whole as usize) % order;
                 let segment = stroke.segments()[index];
                 let (from, to) = (at - whole, (stop - whole).min(1.0));
-                segments.push(if from == 0.0 && to == 1.0 {
+                segments.push(if to - from >= 1.0 {
                     segment
                 } else {
                     segment.part(from, to)
@@ -186,6 +198,9 @@ impl Cut {
         for i in 1..count {
             let start = segments[i].start();
             segments[i - 1] = segments[i - 1].ending_at(start);
+        }
+        if is_whole && touches.iter().any(|touch| is_start(touch.place, order)) {
+            self.cuts.push((path, 0));
         }
         if is_whole
             && let (Some(first), Some(last)) = (segments.first().copied(), segments.last_mut())

@@ -12,7 +12,7 @@ use crate::format::Format;
 use crate::output::{Layer, Number, Output, Picture, Results, npy};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
-use curvecrust::curve::{Curve, SplitCurve};
+use curvecrust::curve::{Curve, SplitCurve, strands};
 use curvecrust::evaluate::hausdorff;
 use curvecrust::geometry::{Edge, EdgeSet, PointSet, Progress};
 use curvecrust::medial_axis::{MeasuredCurve, MedialAxisError};
@@ -52,8 +52,10 @@ struct Object {
     count: usize,
     /// Between the curve and the polygon of the samples.
     hausdorff: Bounds,
-    /// `together` or `apart`.
+    /// `together`, `cut` or `apart`.
     strokes: &'static str,
+    /// Where strokes touch or cross that are cut: samples of those that run through.
+    places: Vec<[f64; 2]>,
     guaranteed: Guaranteed,
 }
 
@@ -140,14 +142,15 @@ impl Job {
         ));
     }
 
-    /// Samples of all strokes together, or of each by itself where they touch.
+    /// Samples of all strokes together; where they touch, of what is left of them when they are cut
+    /// there, or of each by itself.
     fn sample_strokes(
         &self,
         split: SplitCurve,
         console: &Console,
     ) -> anyhow::Result<(Curve, Sampled)> {
         let mut touch = None;
-        if self.strokes != Strokes::Apart {
+        if matches!(self.strokes, Strokes::Auto | Strokes::Together) {
             let together = self.sample_together(&split, console);
             touch = together.as_ref().err().and_then(touching);
             let may_part = self.strokes == Strokes::Auto && self.takes_pieces();
@@ -155,7 +158,44 @@ impl Job {
                 return together;
             }
         }
+        if self.strokes != Strokes::Apart {
+            let cut = self.sample_cut(&split, console);
+            if cut.is_ok() || self.strokes == Strokes::Cut {
+                return cut;
+            }
+        }
         self.sample_pieces(&split.apart(), touch, console)
+    }
+
+    /// Samples of strokes that are cut where they touch.
+    fn sample_cut(
+        &self,
+        split: &SplitCurve,
+        console: &Console,
+    ) -> anyhow::Result<(Curve, Sampled)> {
+        let cut = strands(split).with_context(|| self.curve.name())?;
+        let (curve, mut sampled) = self.sample_pieces(&cut.curve, None, console)?;
+        if let Some(first) = cut.places.first() {
+            let places = match cut.places.len() {
+                1 => String::from("in 1 place"),
+                count => format!("in {count} places, first"),
+            };
+            let left_out = match cut.left_out.len() {
+                0 => String::new(),
+                1 => String::from("; 1 stroke that is shorter is left out"),
+                count => format!("; {count} strokes that are shorter are left out"),
+            };
+            console.note(format_args!(
+                "{}: strokes touch or cross {places} at ({}, {}), where others end {} short{left_out}",
+                self.curve.name(),
+                Number(first.x),
+                Number(first.y),
+                Number(cut.gap),
+            ));
+            sampled.strokes = "cut";
+            sampled.places = cut.places;
+        }
+        Ok((curve, sampled))
     }
 
     fn sample_together(
@@ -232,6 +272,7 @@ impl Job {
             sampling: decoded.sampling,
             guaranteed: Guaranteed::of_run(decoded.is_exact),
             ending: "",
+            places: Vec::new(),
             strokes: if split.is_apart() {
                 "apart"
             } else {
@@ -254,6 +295,7 @@ impl Job {
             condition,
             sampling,
             strokes: "together",
+            places: Vec::new(),
             guaranteed,
             ending: guaranteed.ending(),
         };
@@ -265,8 +307,10 @@ impl Job {
 struct Sampled {
     condition: Condition,
     sampling: Sampling,
-    /// `together` or `apart`.
+    /// `together`, `cut` or `apart`.
     strokes: &'static str,
+    /// Where strokes touched that are cut.
+    places: Vec<DVec2>,
     guaranteed: Guaranteed,
     /// How the last note ends; nothing where another one has said it.
     ending: &'static str,
@@ -362,6 +406,7 @@ fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
         }),
         hausdorff: distance.into(),
         strokes: sampled.strokes,
+        places: sampled.places.iter().map(|p| p.to_array()).collect(),
         guaranteed: sampled.guaranteed,
     })
 }

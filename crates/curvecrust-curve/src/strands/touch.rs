@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
+use crate::bezier::CubicBezier;
 use crate::bezier_path::BezierPath;
 
 /// A stroke as points at about equal distances.
@@ -11,9 +12,15 @@ pub(super) struct Dense {
     pub(super) points: Vec<DVec2>,
     /// The segment and the parameter of each.
     pub(super) places: Vec<(usize, f64)>,
+    /// How far along the stroke each is.
+    along: Vec<f64>,
+    length: f64,
     closed: bool,
     path: BezierPath,
 }
+
+/// Points of all strokes, at most: where many are in one place, the time goes with their square.
+pub(super) const POINTS: usize = 200_000;
 
 /// A place where another stroke touches this one.
 pub(super) struct Touch {
@@ -28,46 +35,69 @@ type Id = (usize, usize);
 
 impl Dense {
     pub(super) fn new(path: &BezierPath, step: f64) -> Self {
-        let (mut points, mut places) = (Vec::new(), Vec::new());
+        let mut dense = Self {
+            points: Vec::new(),
+            places: Vec::new(),
+            along: Vec::new(),
+            length: 0.0,
+            closed: path.is_closed(),
+            path: path.clone(),
+        };
+        let mut last = path
+            .segments()
+            .first()
+            .map_or(DVec2::ZERO, CubicBezier::start);
         for (index, segment) in path.segments().iter().enumerate() {
             let [a, b, c, d] = segment.control_points();
             let length = a.distance(b) + b.distance(c) + c.distance(d);
-            let count = (length / step).ceil().clamp(1.0, 1e6);
+            let count = (length / step).ceil().clamp(1.0, POINTS as f64);
             let mut i = 0.0;
-            while i < count {
-                points.push(segment.point(i / count));
-                places.push((index, i / count));
+            while i < count && dense.points.len() <= POINTS {
+                let p = segment.point(i / count);
+                dense.length += p.distance(last);
+                last = p;
+                // Many short segments are as few long ones.
+                if dense
+                    .along
+                    .last()
+                    .is_none_or(|at| dense.length - at > step / 2.0)
+                {
+                    dense.push(p, (index, i / count));
+                }
                 i += 1.0;
             }
         }
-        if let (false, Some(last)) = (path.is_closed(), path.segments().last()) {
-            points.push(last.end());
-            places.push((path.segments().len() - 1, 1.0));
+        if let Some(segment) = path.segments().last() {
+            dense.length += last.distance(segment.end());
+            if !path.is_closed() {
+                dense.push(segment.end(), (path.segments().len() - 1, 1.0));
+            }
         }
-        Self {
-            points,
-            places,
-            closed: path.is_closed(),
-            path: path.clone(),
-        }
+        dense
     }
 
-    /// How many gaps are between two points.
-    fn between(&self, i: usize, j: usize) -> usize {
-        let ahead = i.abs_diff(j);
+    fn push(&mut self, p: DVec2, place: (usize, f64)) {
+        self.points.push(p);
+        self.places.push(place);
+        self.along.push(self.length);
+    }
+
+    /// How far it is along the stroke from one point to another.
+    fn between(&self, i: usize, j: usize) -> f64 {
+        let ahead = (self.along[i] - self.along[j]).abs();
         if self.closed {
-            ahead.min(self.points.len() - ahead)
+            ahead.min(self.length - ahead)
         } else {
             ahead
         }
     }
 
-    /// How many gaps a point is from the nearer end of the stroke.
-    fn from_end(&self, i: usize) -> usize {
+    /// How far a point is along the stroke from the nearer end, which a closed one has none of.
+    fn to_end(&self, i: usize) -> f64 {
         if self.closed {
-            usize::MAX
+            f64::INFINITY
         } else {
-            i.min(self.points.len() - 1 - i)
+            self.along[i].min(self.length - self.along[i])
         }
     }
 
@@ -91,7 +121,16 @@ impl Dense {
             }
         }
         let t = f64::midpoint(low, high);
-        ((segment, t), bezier.point(t))
+        // As near as squared distances can tell.
+        let at = bezier.point(t);
+        let join = 1e-6 * bezier.start().distance(bezier.end());
+        if at.distance(bezier.start()) <= join {
+            ((segment, 0.0), bezier.start())
+        } else if at.distance(bezier.end()) <= join {
+            ((segment, 1.0), bezier.end())
+        } else {
+            ((segment, t), at)
+        }
     }
 }
 
@@ -121,7 +160,7 @@ impl<'a> Grid<'a> {
         let cells = (x - 1..=x + 1).flat_map(|x| (y - 1..=y + 1).map(move |y| [x, y]));
         let here = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
         let near = here.copied().filter(|&(other, j)| {
-            let is_far = other != stroke || self.dense[stroke].between(i, j) > FAR;
+            let is_far = other != stroke || self.dense[stroke].between(i, j) > FAR * self.gap;
             is_far && self.dense[other].points[j].distance_squared(p) <= distance * distance
         });
         let mut near: Vec<Id> = near.collect();
@@ -130,10 +169,8 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// Parts of one stroke that are more gaps apart than this are as of two: three times the gap.
-const FAR: usize = 24;
-/// A point this few gaps from an end is at the end.
-const AT_END: usize = 8;
+/// Parts of one stroke that are farther apart along it than this many gaps are as of two.
+const FAR: f64 = 3.0;
 
 #[expect(
     clippy::cast_possible_truncation,
@@ -151,7 +188,7 @@ pub(super) fn cut(dense: &[Dense], gap: f64) -> (Vec<Vec<bool>>, Vec<Touch>) {
         for i in 0..of.points.len() {
             for other in grid.near((stroke, i), gap / 8.0) {
                 let id = (stroke, i);
-                let ends = [id, other].map(|(s, i)| dense[s].from_end(i) <= AT_END);
+                let ends = [id, other].map(|(s, i)| dense[s].to_end(i) <= gap);
                 let loses = match ends {
                     [true, false] => true,
                     [false, true] => false,
@@ -171,9 +208,7 @@ pub(super) fn cut(dense: &[Dense], gap: f64) -> (Vec<Vec<bool>>, Vec<Touch>) {
         if is_cut[stroke][i] || is_cut[other][j] {
             continue;
         }
-        let at = dense[stroke].points[i];
-        let (place, at) =
-            meeting(&dense[stroke], i, &dense[other], j).unwrap_or((dense[other].places[j], at));
+        let (place, at) = meeting(&dense[stroke], i, &dense[other], j, gap);
         if touches.iter().all(|touch| touch.at.distance(at) > gap) {
             touches.push(Touch {
                 stroke: other,
@@ -184,8 +219,7 @@ pub(super) fn cut(dense: &[Dense], gap: f64) -> (Vec<Vec<bool>>, Vec<Touch>) {
         let n = dense[stroke].points.len();
         let is_near = |k: usize| {
             let near = grid.near((stroke, k), gap);
-            near.iter()
-                .any(|&(o, l)| o == other && dense[other].between(j, l) <= n.max(FAR))
+            near.iter().any(|&(o, _)| o == other)
         };
         let closed = dense[stroke].closed;
         for forward in [true, false] {
@@ -210,18 +244,20 @@ pub(super) fn cut(dense: &[Dense], gap: f64) -> (Vec<Vec<bool>>, Vec<Touch>) {
 }
 
 /// The place on a stroke where another touches or crosses it, near points of both.
-fn meeting(cut: &Dense, i: usize, through: &Dense, j: usize) -> Option<((usize, f64), DVec2)> {
-    let end = cut.from_end(i) <= AT_END;
-    let mut at = *cut.points.get(i)?;
-    if end {
-        let last = cut.points.len() - 1;
-        at = *cut.points.get(if i <= AT_END { 0 } else { last })?;
+fn meeting(cut: &Dense, i: usize, through: &Dense, j: usize, gap: f64) -> ((usize, f64), DVec2) {
+    if cut.to_end(i) <= gap {
+        let is_start = cut.along[i] <= gap;
+        let end = if is_start { 0 } else { cut.points.len() - 1 };
+        return through.nearest(j, cut.points[end]);
     }
-    let mut found = through.nearest(j, at);
+    let mut found = through.nearest(j, cut.points[i]);
     // Each nearest to the other: where lines cross at an angle, they come together fast.
-    for _ in 0..if end { 0 } else { 60 } {
+    for _ in 0..ROUNDS {
         let (_, on_cut) = cut.nearest(i, found.1);
         found = through.nearest(j, on_cut);
     }
-    Some(found)
+    found
 }
+
+/// How often the nearest points of two strokes are looked for in turn.
+const ROUNDS: usize = 60;
