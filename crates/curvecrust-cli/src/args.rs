@@ -71,6 +71,10 @@ pub(crate) struct Sample {
     /// What to do where strokes touch or cross
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Strokes::Auto)]
     pub(crate) strokes: Strokes,
+    /// Add samples near wrong edges until this algorithm returns the curves [default: least-detour,
+    /// where no theorem says that hnn-crust does]
+    #[arg(long, value_name = "ALGORITHM", value_parser = algorithm(), conflicts_with = "count")]
+    pub(crate) decoder: Option<Algorithm>,
     /// Join gaps and leave out segments up to this share of the drawing, where corners are split
     #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
     pub(crate) snap: f64,
