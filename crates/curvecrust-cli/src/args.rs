@@ -9,7 +9,6 @@ pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 use crate::format::Format;
 use clap::{ArgGroup, Parser, Subcommand};
 use clap_complete::Shell;
-use curvecrust::curve::svg::Selection;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use values::{algorithm, readable, share};
@@ -65,9 +64,6 @@ pub(crate) struct Sample {
     /// How to choose among the samplings that satisfy the condition
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Count::Fewest)]
     pub(crate) count: Count,
-    /// What to do where a curve has corners
-    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
-    pub(crate) corners: Corners,
     /// What to do where strokes touch or cross
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Strokes::Auto)]
     pub(crate) strokes: Strokes,
@@ -75,9 +71,6 @@ pub(crate) struct Sample {
     /// where no theorem says that hnn-crust does]
     #[arg(long, value_name = "ALGORITHM", value_parser = algorithm(), conflicts_with = "count")]
     pub(crate) decoder: Option<Algorithm>,
-    /// Join gaps and leave out segments up to this share of the drawing, where corners are split
-    #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
-    pub(crate) snap: f64,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout
@@ -176,7 +169,7 @@ Example: samples over their curve, with the edges found from them and where they
   curvecrust draw --curve drawing.svg --points samples.csv --edges --violations -o picture.svg"
 )]
 pub(crate) struct Draw {
-    /// Curves: an SVG document; with their medial axis or local feature size, smooth ones
+    /// Curves: an SVG document
     #[arg(long, value_name = "CURVE.svg")]
     pub(crate) curve: Option<PathBuf>,
     #[command(flatten)]
@@ -255,7 +248,7 @@ pub(crate) struct Algorithms {
 /// A curve and how it is made into dense points.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Curve {
-    /// Smooth curves: an SVG document, or - for stdin
+    /// Curves: an SVG document, or - for stdin
     #[arg(id = "curve_path", value_name = "CURVE.svg")]
     pub(crate) path: PathBuf,
     /// Largest gap between the dense points that stand for the curve, as a share of the local
@@ -272,18 +265,18 @@ pub(crate) struct Curve {
 /// Which strokes of a document are curves.
 #[derive(Debug, clap::Args)]
 pub(crate) struct StrokesOf {
+    /// What to do where a curve has corners
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
+    pub(crate) corners: Corners,
+    /// Join gaps and leave out segments up to this share of the drawing, where corners are split
+    #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
+    pub(crate) snap: f64,
     /// Take only what is in elements of this id, class or layer; may be given more than once
     #[arg(long, value_name = "NAME")]
     pub(crate) select: Vec<String>,
     /// Leave out what is in elements of this id, class or layer; may be given more than once
     #[arg(long, value_name = "NAME")]
     pub(crate) exclude: Vec<String>,
-}
-
-impl From<StrokesOf> for Selection {
-    fn from(StrokesOf { select, exclude }: StrokesOf) -> Self {
-        Self { select, exclude }
-    }
 }
 
 /// How near the samples have to be.

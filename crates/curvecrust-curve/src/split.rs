@@ -251,6 +251,28 @@ impl SplitCurve {
     }
 }
 
+/// Each component is a piece.
+impl From<Curve> for SplitCurve {
+    fn from(pieces: Curve) -> Self {
+        let component = |(index, path): (usize, &BezierPath)| Component {
+            range: index..index + 1,
+            closed: path.is_closed(),
+        };
+        Self {
+            components: pieces
+                .components()
+                .iter()
+                .enumerate()
+                .map(component)
+                .collect(),
+            pieces,
+            corners: Vec::new(),
+            snapped: Vec::new(),
+            is_apart: false,
+        }
+    }
+}
+
 /// The pieces of a component between corners, which are where the segments in `starts` start.
 fn cut(segments: &[CubicBezier], closed: bool, starts: &[usize]) -> Vec<BezierPath> {
     let first = if closed { starts[0] } else { 0 };

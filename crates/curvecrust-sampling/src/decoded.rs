@@ -134,9 +134,10 @@ pub fn sample_decoded_with(
 /// use curvecrust_reconstruct::LeastDetour;
 /// use curvecrust_sampling::{Condition, decode, sample_curve};
 ///
-/// // Two open strokes, whose ends are nearer to each other than to their own neighbours.
+/// // The ends of two open strokes are nearer to each other than samples have to be.
 /// let curve = Curve::from_path_data("M 0 0 H 10 M 0 1 H 10")?;
-/// let found = decode(sample_curve(&curve, Condition::rho(0.9)?)?, &LeastDetour);
+/// let samples = sample_curve(&curve, Condition::rho(0.5)?)?;
+/// let found = decode(samples, &LeastDetour);
 /// assert!(found.is_exact);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -24,7 +24,7 @@ pub(crate) enum Count {
 pub(crate) enum Corners {
     /// Refuse them, naming each
     Refuse,
-    /// Sample every smooth piece by itself, with the corners as samples; no theorem covers them
+    /// Take every smooth piece by itself, with the corners as samples; no theorem covers them
     Split,
 }
 

@@ -5,22 +5,21 @@ mod result;
 
 use super::Outcome;
 use super::condition::{Requirement, name_and_bound};
-use super::curve_source::CurveSource;
+use super::curve_source::{CurveSource, touching};
 use super::guarantee::Guaranteed;
-use crate::args::{self, Algorithm, Corners, Count, Strokes};
+use crate::args::{self, Algorithm, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Number, Results};
 use anyhow::{Context, bail};
 use curvecrust::DVec2;
-use curvecrust::curve::{Curve, SplitCurve, strands};
+use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::geometry::Progress;
-use curvecrust::medial_axis::{MeasuredCurve, MedialAxisError};
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError,
-    VerifyOptions, decode, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
-    sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, VerifyOptions, decode,
+    sample, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
 };
 
 /// The formats of samples, the one of stdout first.
@@ -40,10 +39,7 @@ const FORMATS: &[Format] = &[
 pub(crate) struct Job {
     curve: CurveSource,
     requirement: Requirement,
-    corners: Corners,
     strokes: Strokes,
-    /// Longer gaps than this share of the drawing stay.
-    snap: f64,
     count: Count,
     decoder: Option<Algorithm>,
     results: Results,
@@ -57,9 +53,7 @@ impl Job {
         Ok(Self {
             curve,
             requirement: requirement.context("give either --rho or --epsilon")?,
-            corners: args.corners,
             strokes: args.strokes,
-            snap: args.snap,
             count: args.count,
             decoder: args.decoder,
             results,
@@ -67,15 +61,11 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let (curve, sampled) = match self.corners {
-            Corners::Refuse => {
-                self.sample_smooth(self.curve.read_or_advise_split(console)?, console)?
-            }
-            Corners::Split => {
-                let split = self.curve.read_split(self.snap, console)?;
-                self.tell_of_joined_gaps(&split, console);
-                self.sample_strokes(split, console)?
-            }
+        let split = self.curve.read(console)?;
+        let (curve, sampled) = if self.curve.splits() {
+            self.sample_strokes(split, console)?
+        } else {
+            self.sample_smooth(split.pieces().clone(), console)?
         };
         if let Some(output) = &self.results.output {
             result::write(output, &curve, &sampled)?;
@@ -94,23 +84,6 @@ impl Job {
             sampled.ending
         ));
         Ok(Outcome::Fine)
-    }
-
-    fn tell_of_joined_gaps(&self, split: &SplitCurve, console: &Console) {
-        let Some(first) = split.snapped().first() else {
-            return;
-        };
-        let gaps = match split.snapped().len() {
-            1 => String::from("a gap"),
-            count => format!("{count} gaps"),
-        };
-        console.note(format_args!(
-            "{}: {gaps} of at most {} % of the drawing joined, first at ({}, {})",
-            self.curve.name(),
-            Number(100.0 * self.snap),
-            Number(first.x),
-            Number(first.y)
-        ));
     }
 
     /// Samples of all strokes together; where they touch, of what is left of them when they are cut
@@ -144,25 +117,10 @@ impl Job {
         split: &SplitCurve,
         console: &Console,
     ) -> anyhow::Result<(Curve, Sampled)> {
-        let cut = strands(split).with_context(|| self.curve.name())?;
+        let cut = self.curve.cut(split)?;
         let (curve, mut sampled) = self.sample_pieces(&cut.curve, None, console)?;
-        if let Some(first) = cut.places.first() {
-            let places = match cut.places.len() {
-                1 => String::from("in 1 place"),
-                count => format!("in {count} places, first"),
-            };
-            let left_out = match cut.left_out.len() {
-                0 => String::new(),
-                1 => String::from("; 1 stroke that is shorter is left out"),
-                count => format!("; {count} strokes that are shorter are left out"),
-            };
-            console.note(format_args!(
-                "{}: strokes touch or cross {places} at ({}, {}), where others end {} short{left_out}",
-                self.curve.name(),
-                Number(first.x),
-                Number(first.y),
-                Number(cut.gap),
-            ));
+        if !cut.places.is_empty() {
+            self.curve.tell_of_cuts(&cut, console);
             sampled.strokes = "cut";
             sampled.places = cut.places;
         }
@@ -325,17 +283,6 @@ struct Sampled {
     added: usize,
     /// How the last note ends; nothing where another one has said it.
     ending: String,
-}
-
-/// Where strokes touch or cross, if that is the error.
-fn touching(error: &anyhow::Error) -> Option<DVec2> {
-    let SamplingError::Measure(error) = error.downcast_ref::<SamplingError>()? else {
-        return None;
-    };
-    match *error {
-        MedialAxisError::Crossing { at, .. } | MedialAxisError::Touching { at, .. } => Some(at),
-        _ => None,
-    }
 }
 
 /// The samples that were asked for among all that satisfy the condition.
