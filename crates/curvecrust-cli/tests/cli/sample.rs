@@ -172,38 +172,6 @@ fn places_without_a_local_feature_size_are_named() {
 }
 
 #[test]
-fn strokes_that_touch_are_sampled_one_by_one() {
-    let plus = r#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 1H2M1 0V2"/></svg>"#;
-    let folder = Folder::with("plus.svg", plus);
-    let run = folder.run("sample plus.svg --rho 0.9 --json");
-    let says = "plus.svg: strokes touch or cross near (1, 1), so each is sampled as if it were";
-    assert!(run.stderr.starts_with(says), "{}", run.stderr);
-    let found = json(&run.fine());
-    assert_eq!(found["strokes"], "apart");
-    assert_eq!(found["components"].as_array().unwrap().len(), 2);
-    // One stroke ends where another does: both have a sample there.
-    folder.write("ell.svg", plus.replace("M0 1H2M1 0V2", "M0 1H2M2 1V2"));
-    let found = json(&folder.run("sample ell.svg --rho 0.9 --json --quiet").fine());
-    assert_eq!(found["count"], 4);
-    // What touches itself is no better by itself.
-    folder.write(
-        "loop.svg",
-        plus.replace("M0 1H2M1 0V2", "M0 0C4 4 -2 4 2 0"),
-    );
-    let error = folder.run("sample loop.svg --rho 0.9").error();
-    assert!(error.contains("cross"), "{error}");
-    // Strokes that do not touch are sampled together.
-    folder.write("apart.svg", plus.replace("M0 1H2M1 0V2", "M0 1H2M0 2H2"));
-    let found = json(&folder.run("sample apart.svg --rho 0.9 --json").fine());
-    assert_eq!(
-        (&found["strokes"], &found["count"]),
-        (&"together".into(), &8.into())
-    );
-    let alone = "sample apart.svg --rho 0.9 --json --strokes apart";
-    assert_eq!(json(&folder.run(alone).fine())["count"], 4);
-}
-
-#[test]
 fn lfs_of_a_circle_is_its_radius() {
     let folder = Folder::with("circle.svg", CIRCLE);
     let table = folder.run("lfs circle.svg").fine();
@@ -237,7 +205,10 @@ fn corners_are_refused_by_name_or_become_samples() {
     }
     assert!(refused.ends_with("pass --corners split"), "{refused}");
     folder.run("draw --curve badge.svg").fine();
-    let refused = folder.run("draw --curve badge.svg --lfs").error();
+    folder.run("draw --curve badge.svg --lfs").fine();
+    let refused = folder
+        .run("draw --curve badge.svg --corners refuse")
+        .error();
     assert!(refused.contains("at (30, 20)"), "{refused}");
     let run = folder.run("sample badge.svg --rho 0.9 -o samples.json");
     assert!(
