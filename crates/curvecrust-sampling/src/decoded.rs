@@ -20,7 +20,7 @@ use crate::sampling::{SampleOptions, Sampling};
 /// What the bound is multiplied by, as long as the samples are not returned.
 const TIGHTER: f64 = 0.64;
 /// The bound does not fall below this share of the one that was asked for.
-const LEAST_SHARE: f64 = 0.1;
+const LEAST_SHARE: f64 = 0.25;
 
 /// Rounds in which samples are added.
 const ROUNDS: usize = 30;
@@ -62,7 +62,7 @@ impl Default for DecodeOptions<'_> {
 
 /// Samples the pieces of a curve as [`sample_split`](crate::sample_split) does, and adds samples
 /// near wrong edges until least detour returns exactly the manifold boundary; if that does not help,
-/// by 0.64 times the bound, and so on down to a tenth.
+/// by 0.64 times the bound, and so on down to a quarter.
 ///
 /// Where components are [apart](SplitCurve::apart), they may touch and cross, where no algorithm
 /// for curves returns all of them together: each is looked at by itself.
