@@ -89,7 +89,7 @@ impl Layer<'_> {
                     writeln!(out, r#"<path d="{}"/>"#, Data(points.iter(), *closed))?;
                 }
             }
-            Self::Why(points, explanation) => why::write(out, points, explanation, pixel)?,
+            Self::Why(points, explanation) => why::write(out, points, explanation, frame)?,
             Self::Points(points) => {
                 // Many points are small, so that they do not melt into each other.
                 let radius = (720.0 / points.len() as f64).clamp(1.0, 4.0) * pixel;

@@ -143,3 +143,46 @@ fn what_draws_nothing_is_told_and_elements_are_chosen() {
          there"
     );
 }
+
+#[test]
+fn a_picture_of_reasons_has_a_legend_and_a_dark_page() {
+    let folder = Folder::with("a.svg", path("M0 0H10M0 1H10"));
+    folder.run("sample a.svg --rho 0.2 -o a.csv").fine();
+    let draw = "draw --curve a.svg --medial-axis --points a.csv --edges --why";
+    let picture = folder.run(draw).fine();
+    let document = roxmltree::Document::parse(&picture).unwrap();
+    let by_id = |id: &str| {
+        document
+            .descendants()
+            .find(|n| n.attribute("id") == Some(id))
+    };
+    let legend = by_id("reasons").unwrap();
+    let named: Vec<&str> = legend
+        .descendants()
+        .filter_map(|n| n.text())
+        .map(str::trim)
+        .collect();
+    let axis = by_id("medial-axis").unwrap().attribute("stroke");
+    for reason in [
+        "certified",
+        "completed",
+        "exchanged",
+        "required",
+        "rejected",
+    ] {
+        let drawn = by_id(reason);
+        assert_eq!(named.contains(&reason), drawn.is_some(), "{reason}");
+        assert!(
+            drawn.is_none_or(|n| n.attribute("stroke") != axis),
+            "{reason}"
+        );
+    }
+    assert!(named.contains(&"certified"));
+    assert!(picture.contains("prefers-color-scheme: dark"));
+    // A picture is a drawing, too: with its page left out, the curve is there again.
+    folder.write("picture.svg", picture);
+    let again = folder
+        .run("lfs picture.svg --select curve --json --quiet")
+        .fine();
+    assert_eq!(count(&json(&again)["components"]), 2);
+}
