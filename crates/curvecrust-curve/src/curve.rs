@@ -102,7 +102,7 @@ impl Curve {
     /// The curves of an SVG document: all paths and shapes that it draws, in document order and in
     /// the user space of the root element, whatever their paint.
     ///
-    /// See [`svg`] for what is read and how exactly, and what is refused.
+    /// See [`svg`](crate::svg) for what is read and how exactly, and what is refused.
     ///
     /// # Errors
     /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what
