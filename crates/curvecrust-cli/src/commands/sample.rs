@@ -11,7 +11,7 @@ use crate::args::{self, Algorithm, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Number, Results};
-use anyhow::{Context, bail};
+use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
 use curvecrust::geometry::Progress;
@@ -108,7 +108,11 @@ impl Job {
                 return cut;
             }
         }
-        self.sample_pieces(&split.apart(), touch, console)
+        let apart = self.sample_pieces(&split.apart(), touch, console);
+        apart.map_err(|error| match touching(&error) {
+            Some(_) => anyhow!("{error:#}; a larger --snap leaves out spikes of drawing programs"),
+            None => error,
+        })
     }
 
     /// Samples of strokes that are cut where they touch.

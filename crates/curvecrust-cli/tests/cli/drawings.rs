@@ -51,6 +51,22 @@ fn what_touches_itself_is_cut_too() {
     }
 }
 
+/// Found in icons: an outline that goes on for a bit past its start, and back.
+#[test]
+fn spikes_are_left_out_on_request() {
+    let folder = Folder::with("a.svg", path("M0 4V0H10V10H0V3.98Z"));
+    let error = folder.run("sample a.svg --rho 0.9").error();
+    let says = "a larger --snap leaves out spikes of drawing programs";
+    assert!(error.ends_with(says), "{error}");
+    let run = folder.run("sample a.svg --rho 0.9 --snap 0.3% --json");
+    assert!(
+        run.stderr.contains("joined, first at (0, 4)"),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(json(&run.fine())["guaranteed"], "running");
+}
+
 #[test]
 fn strokes_are_apart_or_together_on_request() {
     let folder = Folder::with("plus.svg", path("M0 1H2M1 0V2"));
