@@ -67,15 +67,13 @@ pub(crate) struct Sample {
     /// How to choose among the samplings that satisfy the condition
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Count::Fewest)]
     pub(crate) count: Count,
-    /// What to do where a curve has corners
-    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
-    pub(crate) corners: Corners,
     /// What to do where strokes touch or cross
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Strokes::Auto)]
     pub(crate) strokes: Strokes,
-    /// Join gaps and leave out segments up to this share of the drawing, where corners are split
-    #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
-    pub(crate) snap: f64,
+    /// Add samples near wrong edges until this algorithm returns the curves [default: least-detour,
+    /// where no theorem says that hnn-crust does]
+    #[arg(long, value_name = "ALGORITHM", value_parser = algorithm(), conflicts_with = "count")]
+    pub(crate) decoder: Option<Algorithm>,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout
@@ -174,9 +172,11 @@ Example: samples over their curve, with the edges found from them and where they
   curvecrust draw --curve drawing.svg --points samples.csv --edges --violations -o picture.svg"
 )]
 pub(crate) struct Draw {
-    /// Curves: an SVG document; with their medial axis or local feature size, smooth ones
+    /// Curves: an SVG document
     #[arg(long, value_name = "CURVE.svg")]
     pub(crate) curve: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) strokes: StrokesOf,
     /// The medial axis of the curve
     #[arg(long, requires = "curve")]
     pub(crate) medial_axis: bool,
@@ -254,7 +254,7 @@ pub(crate) struct Algorithms {
 /// A curve and how it is made into dense points.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Curve {
-    /// Smooth curves: an SVG document, or - for stdin
+    /// Curves: an SVG document, or - for stdin
     #[arg(id = "curve_path", value_name = "CURVE.svg")]
     pub(crate) path: PathBuf,
     /// Largest gap between the dense points that stand for the curve, as a share of the local
@@ -264,6 +264,25 @@ pub(crate) struct Curve {
     /// Number of dense points on each cubic segment instead
     #[arg(long, value_name = "N", conflicts_with = "gap")]
     pub(crate) per_segment: Option<u32>,
+    #[command(flatten)]
+    pub(crate) strokes: StrokesOf,
+}
+
+/// Which strokes of a document are curves.
+#[derive(Debug, clap::Args)]
+pub(crate) struct StrokesOf {
+    /// What to do where a curve has corners
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Corners::Split)]
+    pub(crate) corners: Corners,
+    /// Join gaps and leave out segments up to this share of the drawing, where corners are split
+    #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
+    pub(crate) snap: f64,
+    /// Take only what is in elements of this id, class or layer; may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub(crate) select: Vec<String>,
+    /// Leave out what is in elements of this id, class or layer; may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub(crate) exclude: Vec<String>,
 }
 
 /// How near the samples have to be.

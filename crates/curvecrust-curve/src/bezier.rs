@@ -126,6 +126,14 @@ impl CubicBezier {
         )
     }
 
+    /// The part from one parameter to a later one; its ends are exactly the points there.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Self {
+        let third = (to - from) / 3.0;
+        let (start, end) = (self.point(from), self.point(to));
+        let (out, into) = (self.derivative(from) * third, self.derivative(to) * third);
+        Self::new([start, start + out, end - into, end])
+    }
+
     /// Whether the segment is a single point.
     pub(crate) fn is_point(&self) -> bool {
         self.control.iter().all(|&p| p == self.control[0])

@@ -6,7 +6,8 @@ use glam::DVec2;
 use crate::bezier::{CubicBezier, bounds};
 use crate::bezier_path::BezierPath;
 use crate::error::{Corner, CurveError};
-use crate::{path_data, smooth, svg};
+use crate::svg::Drawing;
+use crate::{path_data, smooth};
 
 /// A place on a [`Curve`]; ordered along the curve.
 ///
@@ -71,10 +72,11 @@ impl Curve {
     /// which [`SplitCurve`](crate::SplitCurve) takes.
     pub fn new(components: Vec<BezierPath>) -> Result<Self, CurveError> {
         let (components, corners) = checked(&components)?;
-        if corners.is_empty() {
-            Ok(Self { components })
-        } else {
-            Err(CurveError::Corners(corners))
+        // A small angle is only left where no handle can take it away.
+        match corners.iter().find(|corner| smooth::is_small(corner)) {
+            Some(&corner) => Err(CurveError::no_handle(corner)),
+            None if corners.is_empty() => Ok(Self { components }),
+            None => Err(CurveError::Corners(corners)),
         }
     }
 
@@ -88,26 +90,35 @@ impl Curve {
     /// Each subpath that draws something is a component. It is closed by `Z` (with a straight
     /// segment if there is a gap), or if its ends meet within 1e-6 of its extent; the end is then
     /// put on the start. A `M` without a segment after it draws nothing and is no component.
-    /// Elliptical arcs become cubics within 1e-7 of their larger radius.
+    /// Nor is a subpath of a single point. Elliptical arcs become cubics within 1e-10 of their larger
+    /// radius; the curvature of a circle is right within 1e-6.
     ///
     /// # Errors
-    /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds; a subpath without
-    /// length is an error.
+    /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds.
     pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
-        Self::new(path_data::parse(d)?)
+        Self::new(path_data::drawn(d)?)
     }
 
     /// The curves of an SVG document: all paths and shapes that it draws, in document order and in
     /// the user space of the root element, whatever their paint.
     ///
-    /// See [`svg`] for what is read and how exactly, and what is refused.
+    /// See [`svg`](crate::svg) for what is read and how exactly, and what is refused.
     ///
     /// # Errors
     /// [`CurveError::Xml`], [`CurveError::NotSvg`], [`CurveError::Unsupported`], what
     /// [`Curve::new`] finds, or any of these as [`CurveError::InElement`] where one element is at
     /// fault.
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        svg::parse(document, Self::new)
+        Self::from_drawing(&Drawing::new(document)?)
+    }
+
+    /// The strokes of a drawing, which have to be smooth.
+    ///
+    /// # Errors
+    /// Those of [`Curve::new`], which name the element.
+    pub fn from_drawing(drawing: &Drawing) -> Result<Self, CurveError> {
+        let curve = Self::new(drawing.components().to_vec());
+        curve.map_err(|error| drawing.with_element(error))
     }
 
     /// The components, in the order in which they were given.
@@ -164,11 +175,8 @@ pub(crate) fn checked(
     let mut corners = Vec::new();
     let mut check = |(index, component): (usize, &BezierPath)| {
         let mut segments = validated(index, component)?;
-        corners.extend(smooth::smooth_joins(
-            index,
-            &mut segments,
-            component.is_closed(),
-        )?);
+        let found = smooth::smooth_joins(index, &mut segments, component.is_closed());
+        corners.extend(found);
         smooth::check_cusps(index, &segments)?;
         Ok(BezierPath::new(segments, component.is_closed()))
     };

@@ -208,6 +208,22 @@ impl Corner {
 }
 
 impl CurveError {
+    /// A corner of a small angle, as an error.
+    pub(crate) fn no_handle(corner: Corner) -> Self {
+        let Corner {
+            component,
+            segment,
+            angle_deg,
+            at,
+        } = corner;
+        Self::NoHandle {
+            component,
+            segment,
+            angle_deg,
+            at,
+        }
+    }
+
     /// The component at fault, if it is one.
     pub(crate) fn component(&self) -> Option<usize> {
         match *self {

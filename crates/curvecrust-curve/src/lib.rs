@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`curve`] | [`Curve`], [`CurveParam`] | smooth, finite, every join exactly tangent |
 //! | [`split`] | [`SplitCurve`] | curves with corners, as smooth pieces |
+//! | [`strands`](mod@strands) | [`Strands`] | strokes that touch or cross, cut apart there |
 //! | [`bezier_path`] | [`BezierPath`] | one open or closed path |
 //! | [`bezier`] | [`CubicBezier`] | points, derivatives, tangents |
 //! | [`dense`] | [`DenseCurve`] | dense points with their parameters, in curve order |
@@ -25,6 +26,7 @@ pub mod error;
 mod path_data;
 mod smooth;
 pub mod split;
+pub mod strands;
 pub mod svg;
 
 pub use bezier::CubicBezier;
@@ -33,6 +35,7 @@ pub use curve::{Curve, CurveParam};
 pub use dense::DenseCurve;
 pub use error::{AnalyticError, Corner, CurveError, DENSE_LIMIT, DenseError};
 pub use split::SplitCurve;
+pub use strands::{Strands, strands};
 
 /// The example of the README is a test too.
 #[cfg(doctest)]

@@ -62,12 +62,13 @@ fn cusp(bezier: &CubicBezier) -> Option<f64> {
         .find(|&t| (a + 2.0 * q * t + r * t * t).length() < CUSP_SPEED)
 }
 
-/// Finds the corners, and turns the handles at all other joins into one line.
+/// Finds the corners, and turns the handles at all other joins into one line. Where neither handle
+/// can turn, also a small angle is a corner.
 pub(crate) fn smooth_joins(
     component: usize,
     segments: &mut [CubicBezier],
     closed: bool,
-) -> Result<Vec<Corner>, CurveError> {
+) -> Vec<Corner> {
     let mut corners = Vec::new();
     for bezier in segments.iter_mut() {
         give_handles_to_straight(bezier);
@@ -100,12 +101,13 @@ pub(crate) fn smooth_joins(
             if angle <= NEARLY_SMOOTH {
                 continue;
             }
-            return Err(CurveError::NoHandle {
+            corners.push(Corner {
                 component,
                 segment,
                 angle_deg,
                 at,
             });
+            continue;
         };
         if can_turn(&segments[before]) {
             segments[before] = turned_start(&segments[before].reversed(), -direction).reversed();
@@ -114,7 +116,12 @@ pub(crate) fn smooth_joins(
             segments[segment] = turned_start(&segments[segment], direction);
         }
     }
-    Ok(corners)
+    corners
+}
+
+/// Whether a corner is one only because neither of its handles can turn.
+pub(crate) fn is_small(corner: &Corner) -> bool {
+    corner.angle_deg < CORNER_DEGREES
 }
 
 /// A segment whose handles both have no length is straight; it gets the handles of a line.

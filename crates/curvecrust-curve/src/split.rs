@@ -10,7 +10,8 @@ use crate::bezier::{CubicBezier, bounds};
 use crate::bezier_path::BezierPath;
 use crate::curve::{Curve, checked};
 use crate::error::{Corner, CurveError};
-use crate::{path_data, svg};
+use crate::path_data;
+use crate::svg::Drawing;
 
 /// Curves that may have corners, as smooth pieces.
 ///
@@ -72,13 +73,27 @@ impl SplitCurve {
             }
         };
         let components: Vec<BezierPath> = components.into_iter().map(join).collect();
-        let (components, corners) = checked(&components)?;
+        let split = Self::cutting(&components, &[])?;
+        Ok(Self { snapped, ..split })
+    }
+
+    /// Splits components at their corners, and where the given segments start: each by the index of
+    /// its component and its own.
+    pub(crate) fn cutting(
+        components: &[BezierPath],
+        cuts: &[(usize, usize)],
+    ) -> Result<Self, CurveError> {
+        let (components, corners) = checked(components)?;
         let (mut pieces, mut split) = (Vec::new(), Vec::with_capacity(components.len()));
         for (index, component) in components.into_iter().enumerate() {
             let first = pieces.len();
             let closed = component.is_closed();
             let here = corners.iter().filter(|c| c.component == index);
-            let starts: Vec<usize> = here.map(|c| c.segment).collect();
+            let cuts = cuts.iter().filter(|(component, _)| *component == index);
+            let mut starts: Vec<usize> = here.map(|c| c.segment).collect();
+            starts.extend(cuts.map(|&(_, segment)| segment));
+            starts.sort_unstable();
+            starts.dedup();
             if starts.is_empty() {
                 pieces.push(component);
             } else {
@@ -91,7 +106,7 @@ impl SplitCurve {
             pieces: Curve::of_pieces(pieces),
             components: split,
             corners,
-            snapped,
+            snapped: Vec::new(),
             is_apart: false,
         })
     }
@@ -101,7 +116,7 @@ impl SplitCurve {
     /// # Errors
     /// [`CurveError::PathData`], or what [`SplitCurve::new`] finds.
     pub fn from_path_data(d: &str) -> Result<Self, CurveError> {
-        Self::new(path_data::parse(d)?)
+        Self::new(path_data::drawn(d)?)
     }
 
     /// As [`Curve::from_svg`], but split at corners.
@@ -109,15 +124,17 @@ impl SplitCurve {
     /// # Errors
     /// Those of [`Curve::from_svg`], but for [`CurveError::Corners`].
     pub fn from_svg(document: &str) -> Result<Self, CurveError> {
-        Self::from_svg_snapping(document, Self::SNAP)
+        Self::from_drawing(&Drawing::new(document)?, Self::SNAP)
     }
 
-    /// [`from_svg`](Self::from_svg) with another share than [`SNAP`](Self::SNAP), 0 for none.
+    /// The strokes of a drawing, split at corners, with gaps up to a share of the extent joined, as
+    /// by [`snapping`](Self::snapping).
     ///
     /// # Errors
-    /// Those of [`from_svg`](Self::from_svg).
-    pub fn from_svg_snapping(document: &str, share: f64) -> Result<Self, CurveError> {
-        svg::parse(document, |components| Self::snapping(components, share))
+    /// Those of [`new`](Self::new), which name the element.
+    pub fn from_drawing(drawing: &Drawing, share: f64) -> Result<Self, CurveError> {
+        let split = Self::snapping(drawing.components().to_vec(), share);
+        split.map_err(|error| drawing.with_element(error))
     }
 
     /// The same curves with each component on its own: lfs takes no account of the others. So they
@@ -231,6 +248,28 @@ impl SplitCurve {
             before.map(|i| (i, first.start())),
             after.map(|i| (i, last.end())),
         ]
+    }
+}
+
+/// Each component is a piece.
+impl From<Curve> for SplitCurve {
+    fn from(pieces: Curve) -> Self {
+        let component = |(index, path): (usize, &BezierPath)| Component {
+            range: index..index + 1,
+            closed: path.is_closed(),
+        };
+        Self {
+            components: pieces
+                .components()
+                .iter()
+                .enumerate()
+                .map(component)
+                .collect(),
+            pieces,
+            corners: Vec::new(),
+            snapped: Vec::new(),
+            is_apart: false,
+        }
     }
 }
 

@@ -157,9 +157,14 @@ const PATHS: &[(&str, &str)] = &[
         "M 0 0 H 1e100",
         "component 0, segment 0 has the coordinate 1e100: scale the curve so that no coordinate exceeds 3.2138760885179806e60",
     ),
-    ("M 0 0 L 0 0", "component 0 has no length: remove it"),
-    ("M 0 0 Z", "component 0 has no length: remove it"),
-    ("M0 0H1 M2 2Z", "component 1 has no length: remove it"),
+    (
+        "M 0 0 L 0 0",
+        "there is no curve: draw at least one path or shape",
+    ),
+    (
+        "M 0 0 Z",
+        "there is no curve: draw at least one path or shape",
+    ),
     (
         "M 0 0 H 1 V 1",
         "component 0 has a corner of 90.000 degrees at the start of segment 1, at (1, 0): curves must be smooth, so round it off, or split the curve there",
@@ -203,7 +208,7 @@ const CONTENTS: &[(&str, &str)] = &[
     ),
     (
         "<path d='M0 0h1'/><rect width='3' height='2'/>",
-        "component 1 has a corner of 90.000 degrees at the start of segment 0, at (0, 0), one of 90.000 degrees at the start of segment 1, at (3, 0), one of 90.000 degrees at the start of segment 2, at (3, 2), one of 90.000 degrees at the start of segment 3, at (0, 2): curves must be smooth, so round them off, or split the curve there",
+        "<rect> in line 2: component 1 has a corner of 90.000 degrees at the start of segment 0, at (0, 0), one of 90.000 degrees at the start of segment 1, at (3, 0), one of 90.000 degrees at the start of segment 2, at (3, 2), one of 90.000 degrees at the start of segment 3, at (0, 2): curves must be smooth, so round them off, or split the curve there",
     ),
     (
         "<rect width='3'/>",
@@ -244,7 +249,7 @@ const CONTENTS: &[(&str, &str)] = &[
     ),
     (
         "<line id='l'/>",
-        r#"<line id="l"> in line 2: component 0 has no length: remove it"#,
+        "there is no curve: draw at least one path or shape",
     ),
     (
         "<polyline points='0,0 1'/>",

@@ -17,8 +17,17 @@ use proptest::prelude::*;
 
 /// A closed component of 16 segments and an open one of 2.
 fn curve() -> Curve {
-    let d = "M5 5 A1 1 0 0 1 7 5 A1 1 0 0 1 5 5 Z M0 0 C0 1 1 2 2 2 S4 3 4 4";
-    Curve::from_path_data(d).unwrap()
+    let step = std::f64::consts::TAU / 16.0;
+    let handle = 4.0 / 3.0 * (step / 4.0).tan();
+    let around = DVec2::new(6.0, 5.0);
+    let arc = |i: u32| {
+        let [a, b] = [i, (i + 1) % 16].map(|i| DVec2::from_angle(f64::from(i) * step));
+        let inner = [a + handle * a.perp(), b - handle * b.perp()];
+        CubicBezier::new([a, inner[0], inner[1], b].map(|p| around + p))
+    };
+    let circle = BezierPath::new((0..16).map(arc).collect(), true);
+    let open = Curve::from_path_data("M0 0 C0 1 1 2 2 2 S4 3 4 4").unwrap();
+    Curve::new([vec![circle], open.components().to_vec()].concat()).unwrap()
 }
 
 fn param(component: u32, segment: u32, t: f64) -> CurveParam {

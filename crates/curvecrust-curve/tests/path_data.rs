@@ -104,7 +104,7 @@ fn ends_that_meet_within_a_millionth_close() {
         circle_with_gap(1.9e-6, "Z").unwrap().components()[0]
             .segments()
             .len(),
-        16
+        52
     );
     let hook = curve("M0 0 H4 A1 1 0 0 1 4 2 H0");
     assert!(!hook.components()[0].is_closed());

@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use curvecrust_curve::{BezierPath, CubicBezier, Curve, CurveError, CurveParam};
+use curvecrust_curve::{BezierPath, CubicBezier, Curve, CurveError, CurveParam, SplitCurve};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -266,4 +266,17 @@ proptest! {
             prop_assert!(roughness(&curve) < 1e-12);
         }
     }
+}
+
+/// Found in an icon: no handle can take the angle of 0.29 degrees away.
+#[test]
+fn a_small_angle_without_handles_is_split() {
+    let d = "M-3 0C-2 .1 0 0 0 0 0 0 2-.11 3 0";
+    assert!(matches!(
+        Curve::from_path_data(d),
+        Err(CurveError::NoHandle { .. })
+    ));
+    let split = SplitCurve::from_path_data(d).unwrap();
+    assert_eq!(split.corners().len(), 1);
+    assert_eq!(split.pieces().components().len(), 2);
 }

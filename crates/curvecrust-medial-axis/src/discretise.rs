@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use curvecrust_curve::{Curve, DenseCurve};
-use curvecrust_geometry::Progress;
+use curvecrust_geometry::{DVec2, Progress};
 
 use crate::axis::MedialAxis;
 use crate::crossing::{self, chord};
@@ -115,8 +115,14 @@ impl MeasuredCurve {
     }
 }
 
-/// The number of points a segment that refinement starts from.
+/// The number of points a segment that refinement starts from, ...
 const START: u32 = 16;
+/// ... and of one that is straight and short: an arc is many of them.
+const LEAST_START: u32 = 2;
+/// A segment that turns by this angle, in radians, is not straight, ...
+const TURN: f64 = 0.5;
+/// ... and one of this share of the extent of the curve is not short.
+const LENGTH: f64 = 0.125;
 /// The most parts that a gap is split into at once: lfs on a coarse discretisation is a guess.
 const SPLIT: f64 = 8.0;
 /// How many times farther apart than the dense points may be those that the axis is computed from,
@@ -250,7 +256,7 @@ fn coarse_axis(
     report: &dyn Fn(&[f64]),
 ) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
-    let mut dense = DenseCurve::per_segment(curve, START)?;
+    let mut dense = start(curve)?;
     let mut round = 0;
     loop {
         let (axis, spanning) = MedialAxis::with_spanning_gaps(&dense)?;
@@ -282,6 +288,33 @@ fn coarse_axis(
         dense = dense.refined(curve, &pieces)?;
         round += 1;
     }
+}
+
+/// The points that refinement starts from.
+fn start(curve: &Curve) -> Result<DenseCurve, MedialAxisError> {
+    let ends = DenseCurve::per_segment(curve, 1)?;
+    let long = LENGTH * curve.extent();
+    let pieces = ends.params().iter().map(|at| {
+        let path = &curve.components()[at.component as usize];
+        let [a, b, c, d] = path.segments()[at.segment as usize].control_points();
+        let arms = [b - a, c - b, d - c];
+        let length: f64 = arms.iter().map(|arm| arm.length()).sum();
+        let turns = arms.windows(2).map(|pair| match pair {
+            // An arm without length turns with the next one.
+            &[a, b] if a != DVec2::ZERO && b != DVec2::ZERO => a.angle_to(b).abs(),
+            _ => TURN,
+        });
+        let share = (turns.sum::<f64>() / TURN).max(length / long).min(1.0);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to 16"
+        )]
+        let pieces = (share * f64::from(START)).ceil() as u32;
+        pieces.max(LEAST_START)
+    });
+    let pieces: Vec<u32> = pieces.collect();
+    Ok(ends.refined(curve, &pieces)?)
 }
 
 /// Into how many parts, 1 or more, the gap after each point would be split at once.

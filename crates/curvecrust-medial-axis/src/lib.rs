@@ -7,7 +7,7 @@
 //! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4 and Definition 2 |
 //! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
 //! | [`discretise`] | [`measure`]: dense points, as many as the lfs asks for, and the lfs at each | |
-//! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners | |
+//! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners, and [`strokes_of`] them | |
 //!
 //! ```
 //! use curvecrust_curve::Curve;
@@ -31,6 +31,7 @@ pub mod error;
 pub mod lfs;
 pub mod pieces;
 pub mod shrinking_ball;
+mod strokes;
 
 pub use axis::{AxisEdge, MedialAxis};
 pub use discretise::{
@@ -39,6 +40,7 @@ pub use discretise::{
 pub use error::MedialAxisError;
 pub use lfs::LocalFeatureSize;
 pub use pieces::{MeasurePiecesOptions, measure_pieces, measure_pieces_with};
+pub use strokes::{strokes_of, without_lfs_at};
 
 /// The example of the README is a test too.
 #[cfg(doctest)]

@@ -3,6 +3,7 @@
 use crate::arrays::{self, Arrays};
 use crate::errors::value_error;
 use curvecrust::DVec2;
+use curvecrust::curve::svg::Drawing;
 use curvecrust::curve::{BezierPath, CubicBezier, DenseCurve, SplitCurve};
 use curvecrust::geometry::PointSet;
 use numpy::PyReadonlyArray2;
@@ -25,7 +26,7 @@ impl Curve {
                 "snap is {snap}: give a share between 0 and 1"
             )));
         }
-        let split = py.detach(|| SplitCurve::from_svg_snapping(text, snap));
+        let split = py.detach(|| SplitCurve::from_drawing(&Drawing::new(text)?, snap));
         split.map(|split| Self { split }).map_err(value_error)
     }
 

@@ -58,7 +58,7 @@ pub mod verified;
 pub use certified::{sample, sample_curve, sample_curve_with};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
 pub use condition::{Bound, Condition, ConditionError, DeviationLimit};
-pub use decoded::{DecodeOptions, Decoded, sample_decoded, sample_decoded_with};
+pub use decoded::{DecodeOptions, Decoded, decode, sample_decoded, sample_decoded_with};
 pub use dense_points::{sample_as_published, sample_at_dense_points};
 pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::{sample_fewest, sample_fewest_with};

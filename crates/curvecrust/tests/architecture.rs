@@ -53,7 +53,7 @@ const LABORATORY: &[&str] = &["lab", "testing"];
 const NAMED_BY: &[(&str, &[&str])] = &[
     ("spade", &["voronoi"]),
     ("kurbo", &["curve"]),
-    ("usvg", &["curve"]),
+    ("simplecss", &["curve"]),
     // The program and the page read points from SVG, which are no curves.
     ("roxmltree", &["curve", "cli", "web"]),
     ("svgtypes", &["curve", "cli"]),

@@ -24,17 +24,20 @@ pub(crate) enum Count {
 pub(crate) enum Corners {
     /// Refuse them, naming each
     Refuse,
-    /// Sample every smooth piece by itself, with the corners as samples; no theorem covers them
+    /// Take every smooth piece by itself, with the corners as samples; no theorem covers them
     Split,
 }
 
 /// What is done where strokes touch or cross.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Strokes {
-    /// Sample all together, or each by itself where any two touch
+    /// Sample all together; where any touch, cut; where that does not do, apart
     Auto,
     /// Refuse strokes that touch or cross, naming the place
     Together,
+    /// Cut strokes where they touch or cross: one runs through the place, the others end a hundredth
+    /// of the extent short of it
+    Cut,
     /// Sample each stroke as if it were alone; no reconstruction of all together is promised
     Apart,
 }

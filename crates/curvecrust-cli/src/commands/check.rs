@@ -1,17 +1,18 @@
 //! `curvecrust check`: how good samples are, and whether a condition holds.
 
+mod corners;
+
 use super::bare_points::{BarePoints, PointSource};
 use super::condition::{Requirement, name_and_bound};
-use super::curve_source::CurveSource;
+use super::curve_source::{CurveSource, MeasuredStrokes};
 use super::{Bounds, Outcome};
 use crate::args::{self, Distance};
 use crate::console::Console;
-use crate::output;
+use crate::output::{self, Number};
 use anyhow::Context;
-use curvecrust::medial_axis::MeasuredCurve;
-use curvecrust::sampling::{
-    Attained, Condition, PlacedSamples, Projected, Verdict, check, effective_epsilon, effective_rho,
-};
+use corners::OnPieces;
+use curvecrust::curve::SplitCurve;
+use curvecrust::sampling::{Attained, Condition, Verdict, check, effective_epsilon, effective_rho};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -62,14 +63,28 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let split = self.curve.read(console)?;
         let bare = self.points.read(console)?;
-        let condition = self.requirement.map(|r| r.on(&curve)).transpose()?;
-        let measured = self.curve.measure(&curve, condition, console)?;
-        let tolerance = self.tolerance.of_extent(curve.extent());
-        let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
+        let asked = |split: &SplitCurve| {
+            let on = |r: Requirement| r.on(split.pieces());
+            self.requirement.map(on).transpose()
+        };
+        let strokes = self.curve.measure_strokes(split, asked, console)?;
+        let (split, condition) = (&strokes.split, strokes.condition);
+        let tolerance = self.tolerance.of_extent(split.pieces().extent());
+        let placed = corners::place(&strokes, bare.points.points(), tolerance)
             .with_context(|| self.points.name())?;
-        let object = object(&measured, &placed, condition, &bare);
+        if let Some(first) = placed.missed.first() {
+            console.note(format_args!(
+                "{}: no sample is at {} of the corners, first ({}, {}), where the local feature size \
+                 is 0: nothing holds beside them",
+                self.curve.name(),
+                placed.missed.len(),
+                Number(first.x),
+                Number(first.y)
+            ));
+        }
+        let object = object(&strokes, &placed, condition, &bare);
         if self.json {
             output::print_json(&object)?;
         } else {
@@ -80,12 +95,19 @@ impl Job {
 }
 
 fn object(
-    measured: &MeasuredCurve,
-    placed: &Projected,
+    strokes: &MeasuredStrokes,
+    placed: &OnPieces,
     condition: Option<Condition>,
     bare: &BarePoints,
 ) -> Object {
+    let measured = &placed.measured;
     let verdict = condition.map(|condition| check(measured, &placed.samples, condition));
+    let stroke = |piece: usize| {
+        let strokes = strokes.split.components().iter();
+        strokes
+            .take_while(|stroke| stroke.range.end <= piece)
+            .count()
+    };
     let row = |sample: usize| {
         let id = bare.points.ids().nth(placed.indices[sample]);
         id.map(|id| bare.row(id))
@@ -100,7 +122,7 @@ fn object(
         certain: verdict.as_ref().map(|verdict| verdict.certain),
         violations: violations
             .map(|found| Violation {
-                component: found.interval.component,
+                component: stroke(found.interval.component),
                 samples: found.interval.samples.map(|sample| sample.and_then(row)),
                 value: value(found),
                 at: found.at.to_array(),

@@ -1,13 +1,19 @@
 //! Curves from an SVG document, and how finely they are discretised.
 
-use crate::args;
+use crate::args::{self, Corners, StrokesOf};
 use crate::console::Console;
 use crate::input::{self, Source};
-use anyhow::{Context, anyhow};
-use curvecrust::curve::{Curve, CurveError, SplitCurve};
+use crate::output::Number;
+use anyhow::{Context, anyhow, bail};
+use curvecrust::DVec2;
+use curvecrust::curve::svg::{Drawing, Selection};
+use curvecrust::curve::{Curve, CurveError, SplitCurve, Strands, strands};
 use curvecrust::geometry::Progress;
-use curvecrust::medial_axis::{Discretisation, MeasureOptions, MeasuredCurve, measure_with};
-use curvecrust::sampling::Condition;
+use curvecrust::medial_axis::{
+    Discretisation, MeasureOptions, MeasurePiecesOptions, MeasuredCurve, MedialAxisError,
+    measure_pieces_with, measure_with, strokes_of,
+};
+use curvecrust::sampling::{Condition, SamplingError};
 use std::path::PathBuf;
 
 /// The largest gap between dense points, as a share of lfs.
@@ -19,8 +25,23 @@ const GAP_TO_BOUND: f64 = 0.05;
 #[derive(Debug)]
 pub(super) struct CurveSource {
     path: PathBuf,
+    selection: Selection,
+    corners: Corners,
+    /// Longer gaps than this share of the drawing stay.
+    snap: f64,
     /// `None`: as finely as the lfs and the condition ask for.
     discretisation: Option<Discretisation>,
+}
+
+/// Curves, and the local feature size along them.
+pub(super) struct MeasuredStrokes {
+    pub(super) split: SplitCurve,
+    /// The smooth pieces.
+    pub(super) pieces: MeasuredCurve,
+    /// The strokes.
+    pub(super) measured: MeasuredCurve,
+    /// What was asked for on them.
+    pub(super) condition: Option<Condition>,
 }
 
 impl From<args::Curve> for CurveSource {
@@ -30,17 +51,23 @@ impl From<args::Curve> for CurveSource {
             .gap
             .map(|gap_to_lfs| Discretisation::Adaptive { gap_to_lfs });
         Self {
-            path: args.path,
             discretisation: per_segment.or(adaptive),
+            ..Self::of(args.path, args.strokes)
         }
     }
 }
 
 impl CurveSource {
     /// A document whose curves are discretised as finely as needed.
-    pub(super) fn of(path: PathBuf) -> Self {
+    pub(super) fn of(path: PathBuf, strokes: StrokesOf) -> Self {
         Self {
             path,
+            selection: Selection {
+                select: strokes.select,
+                exclude: strokes.exclude,
+            },
+            corners: strokes.corners,
+            snap: strokes.snap,
             discretisation: None,
         }
     }
@@ -55,26 +82,96 @@ impl CurveSource {
         self.discretisation
     }
 
-    /// Reads smooth curves.
-    pub(super) fn read(&self) -> anyhow::Result<Curve> {
-        Curve::from_svg(&self.text()?).with_context(|| self.name())
+    /// Reads curves, split at their corners unless those are refused, and tells of joined gaps.
+    pub(super) fn read(&self, console: &Console) -> anyhow::Result<SplitCurve> {
+        let drawing = self.drawing(console)?;
+        if self.corners == Corners::Refuse {
+            let smooth = Curve::from_drawing(&drawing).map_err(|error| {
+                if has_only_corners(&error) {
+                    anyhow!("{error}: pass --corners split")
+                } else {
+                    error.into()
+                }
+            });
+            return Ok(smooth.with_context(|| self.name())?.into());
+        }
+        let split = SplitCurve::from_drawing(&drawing, self.snap).with_context(|| self.name())?;
+        self.tell_of_joined_gaps(&split, console);
+        Ok(split)
     }
 
-    /// Reads smooth curves; where only corners are wrong, the error names the option that helps.
-    pub(super) fn read_or_advise_split(&self) -> anyhow::Result<Curve> {
-        let read = Curve::from_svg(&self.text()?).map_err(|error| {
-            if has_only_corners(&error) {
-                anyhow!("{error}: pass --corners split")
-            } else {
-                error.into()
-            }
-        });
-        read.with_context(|| self.name())
+    fn tell_of_joined_gaps(&self, split: &SplitCurve, console: &Console) {
+        let Some(first) = split.snapped().first() else {
+            return;
+        };
+        let gaps = match split.snapped().len() {
+            1 => String::from("a gap"),
+            count => format!("{count} gaps"),
+        };
+        console.note(format_args!(
+            "{}: {gaps} of at most {} % of the drawing joined, first at ({}, {})",
+            self.name(),
+            Number(100.0 * self.snap),
+            Number(first.x),
+            Number(first.y)
+        ));
     }
 
-    /// Reads curves, split at their corners, with gaps up to a share of the drawing joined.
-    pub(super) fn read_split(&self, snap: f64) -> anyhow::Result<SplitCurve> {
-        SplitCurve::from_svg_snapping(&self.text()?, snap).with_context(|| self.name())
+    /// Whether strokes may be cut: not where corners are refused, which is for smooth curves alone.
+    pub(super) fn splits(&self) -> bool {
+        self.corners == Corners::Split
+    }
+
+    /// Cuts strokes where they touch or cross, and tells of it.
+    pub(super) fn cut(&self, split: &SplitCurve) -> anyhow::Result<Strands> {
+        strands(split).with_context(|| self.name())
+    }
+
+    /// Tells where strokes were cut.
+    pub(super) fn tell_of_cuts(&self, cut: &Strands, console: &Console) {
+        let Some(first) = cut.places.first() else {
+            return;
+        };
+        let places = match cut.places.len() {
+            1 => String::from("in 1 place,"),
+            count => format!("in {count} places, first"),
+        };
+        let left_out = match cut.left_out.len() {
+            0 => String::new(),
+            1 => String::from("; 1 stroke that is shorter is left out"),
+            count => format!("; {count} strokes that are shorter are left out"),
+        };
+        console.note(format_args!(
+            "{}: strokes touch or cross {places} at ({}, {}): one runs through, others end {} \
+             short{left_out}",
+            self.name(),
+            Number(first.x),
+            Number(first.y),
+            Number(cut.gap),
+        ));
+    }
+
+    /// Reads what is drawn, and tells of what draws nothing.
+    fn drawing(&self, console: &Console) -> anyhow::Result<Drawing> {
+        let drawing = Drawing::selected(&self.text()?, &self.selection);
+        let drawing = drawing.with_context(|| self.name())?;
+        if let Some(first) = drawing.points().next() {
+            let (count, verb) = match drawing.points().len() {
+                1 => (
+                    String::from("a subpath of a single point"),
+                    "draws nothing and is",
+                ),
+                count => (
+                    format!("{count} elements with subpaths of a single point"),
+                    "draw nothing and are",
+                ),
+            };
+            console.note(format_args!(
+                "{}: {count}, which {verb} left out: {first}",
+                self.name()
+            ));
+        }
+        Ok(drawing)
     }
 
     fn text(&self) -> anyhow::Result<String> {
@@ -92,8 +189,9 @@ impl CurveSource {
         condition: Option<Condition>,
         console: &Console,
     ) -> anyhow::Result<MeasuredCurve> {
-        let finest = condition.map_or(GAP, |c| GAP.min(GAP_TO_BOUND * c.bound().value()));
-        let adaptive = Discretisation::Adaptive { gap_to_lfs: finest };
+        let adaptive = Discretisation::Adaptive {
+            gap_to_lfs: finest(condition),
+        };
         let discretisation = self.discretisation.unwrap_or(adaptive);
         let measured = console.during("measuring the local feature size", |progress| {
             let options = MeasureOptions {
@@ -104,6 +202,89 @@ impl CurveSource {
             measure_with(curve, &options)
         });
         measured.with_context(|| self.name())
+    }
+
+    /// Measures the local feature size of strokes that may have corners; where they touch, of what
+    /// is left of them when they are cut there.
+    pub(super) fn measure_strokes(
+        &self,
+        split: SplitCurve,
+        condition: impl Fn(&SplitCurve) -> anyhow::Result<Option<Condition>>,
+        console: &Console,
+    ) -> anyhow::Result<MeasuredStrokes> {
+        let asked = condition(&split)?;
+        let error = match self.measure_pieces(&split, asked, console) {
+            Ok(pieces) => return self.whole(split, pieces, asked),
+            Err(error) => error,
+        };
+        if !self.splits() || touching(&error).is_none() {
+            return Err(error);
+        }
+        let cut = self.cut(&split)?;
+        let asked = condition(&cut.curve)?;
+        let pieces = self.measure_pieces(&cut.curve, asked, console)?;
+        self.tell_of_cuts(&cut, console);
+        self.whole(cut.curve, pieces, asked)
+    }
+
+    fn whole(
+        &self,
+        split: SplitCurve,
+        pieces: MeasuredCurve,
+        condition: Option<Condition>,
+    ) -> anyhow::Result<MeasuredStrokes> {
+        let measured = strokes_of(&split, &pieces).with_context(|| self.name())?;
+        Ok(MeasuredStrokes {
+            split,
+            pieces,
+            measured,
+            condition,
+        })
+    }
+
+    fn measure_pieces(
+        &self,
+        split: &SplitCurve,
+        condition: Option<Condition>,
+        console: &Console,
+    ) -> anyhow::Result<MeasuredCurve> {
+        if split.pieces().components().len() == split.components().len() {
+            return self.measure(split.pieces(), condition, console);
+        }
+        let gap_to_lfs = match self.discretisation {
+            None => finest(condition),
+            Some(Discretisation::Adaptive { gap_to_lfs }) => gap_to_lfs,
+            Some(Discretisation::PerSegment(_)) => bail!(
+                "{}: curves with corners cannot be measured with --per-segment",
+                self.name()
+            ),
+        };
+        let measured = console.during("measuring the local feature size", |progress| {
+            let options = MeasurePiecesOptions {
+                gap_to_lfs,
+                progress: Progress::new(progress),
+            };
+            measure_pieces_with(split, &options)
+        });
+        measured.with_context(|| self.name())
+    }
+}
+
+/// The largest gap between dense points as a share of lfs that a condition asks for.
+fn finest(condition: Option<Condition>) -> f64 {
+    condition.map_or(GAP, |c| GAP.min(GAP_TO_BOUND * c.bound().value()))
+}
+
+/// Where strokes touch or cross, if that is the error.
+pub(super) fn touching(error: &anyhow::Error) -> Option<DVec2> {
+    let of_sampling = error.downcast_ref::<SamplingError>();
+    let measure = match of_sampling {
+        Some(SamplingError::Measure(error)) => Some(error),
+        _ => error.downcast_ref::<MedialAxisError>(),
+    };
+    match *measure? {
+        MedialAxisError::Crossing { at, .. } | MedialAxisError::Touching { at, .. } => Some(at),
+        _ => None,
     }
 }
 

@@ -46,7 +46,7 @@ impl Job {
         Ok(Self {
             output: Output::new(args.output, None, args.force, &[Format::Svg])?,
             curve: args.curve.map(|path| CurveLayers {
-                source: CurveSource::of(path),
+                source: CurveSource::of(path, args.strokes),
                 medial_axis: args.medial_axis,
                 lfs: args.lfs,
             }),
@@ -83,16 +83,13 @@ struct DrawnCurve<'a> {
 
 impl CurveLayers {
     fn read(&self, console: &Console) -> anyhow::Result<DrawnCurve<'_>> {
-        let is_measured = self.medial_axis || self.lfs;
-        // A picture alone has nothing against corners.
-        let curve = if is_measured {
-            self.source.read()?
+        let split = self.source.read(console)?;
+        let (curve, measured) = if self.medial_axis || self.lfs {
+            let strokes = self.source.measure_strokes(split, |_| Ok(None), console)?;
+            (strokes.split.pieces().clone(), Some(strokes.measured))
         } else {
-            self.source.read_split(0.0)?.pieces().clone()
+            (split.pieces().clone(), None)
         };
-        let measured = is_measured
-            .then(|| self.source.measure(&curve, None, console))
-            .transpose()?;
         let mut axis = Vec::new();
         if let Some(measured) = measured.as_ref().filter(|_| self.medial_axis) {
             let found = MedialAxis::new(measured.dense())?;

@@ -61,9 +61,10 @@ impl From<args::Evaluate> for Job {
 
 impl Job {
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
+        let split = self.curve.read(console)?;
         let bare = self.points.read(console)?;
-        let measured = self.curve.measure(&curve, None, console)?;
+        let strokes = self.curve.measure_strokes(split, |_| Ok(None), console)?;
+        let (curve, measured) = (strokes.split.pieces(), strokes.measured);
         let tolerance = self.tolerance.of_extent(curve.extent());
         let placed = PlacedSamples::project(&measured, bare.points.points(), tolerance)
             .with_context(|| self.points.name())?;
@@ -71,7 +72,7 @@ impl Job {
         let algorithms = self.algorithms.iter();
         let results = console.during("evaluating", |_| {
             algorithms
-                .map(|&algorithm| evaluate(&curve, &bare, &truth, algorithm))
+                .map(|&algorithm| evaluate(curve, &bare, &truth, algorithm))
                 .collect()
         });
         let object = Object {

@@ -1,10 +1,8 @@
 //! What is known of a reconstruction from samples that the program took.
 
 use curvecrust::curve::Curve;
-use curvecrust::reconstruct::{
-    Guarantee, HnnCrust, LeastDetour, Reconstructor, SamplingBound, Standing,
-};
-use curvecrust::sampling::{Bound, Condition, SampledCurve};
+use curvecrust::reconstruct::{Guarantee, HnnCrust, Reconstructor, SamplingBound, Standing};
+use curvecrust::sampling::{Bound, Condition};
 use serde::Serialize;
 
 /// How it is known that the samples can be reconstructed.
@@ -13,38 +11,23 @@ use serde::Serialize;
 pub(super) enum Guaranteed {
     /// The condition is proven to suffice for HNN-Crust on smooth closed curves, as these are.
     Theorem,
-    /// Least detour was run, and returned exactly the polygon of the samples.
+    /// An algorithm was run, and returned exactly the polygon of the samples.
     Running,
-    /// Least detour was run, and returned other edges.
+    /// An algorithm was run, and returned other edges.
     Not,
 }
 
 impl Guaranteed {
-    /// What is known of samples of smooth curves.
-    pub(super) fn of_smooth(curve: &Curve, condition: Condition, samples: &SampledCurve) -> Self {
+    /// Whether HNN-Crust is proven to return the polygon of samples that keep a condition.
+    pub(super) fn is_by_theorem(curve: &Curve, condition: Condition) -> bool {
         let is_closed = curve.components().iter().all(|path| path.is_closed());
         let guarantees = HnnCrust::MUTUAL.info().guarantees;
-        if is_closed && guarantees.iter().any(|g| is_proven(g, condition.bound())) {
-            return Self::Theorem;
-        }
-        let returned = samples
-            .point_set()
-            .is_ok_and(|points| LeastDetour.reconstruct(&points) == samples.manifold_boundary());
-        Self::of_run(returned)
+        is_closed && guarantees.iter().any(|g| is_proven(g, condition.bound()))
     }
 
-    /// What a run of least detour tells.
+    /// What a run of an algorithm tells.
     pub(super) fn of_run(is_exact: bool) -> Self {
         if is_exact { Self::Running } else { Self::Not }
-    }
-
-    /// The end of a line about samples.
-    pub(super) fn ending(self) -> &'static str {
-        match self {
-            Self::Theorem => "; HNN-Crust is proven to return exactly their polygon",
-            Self::Running => "; least detour returns exactly their polygon",
-            Self::Not => "; least detour does not return their polygon",
-        }
     }
 }
 

@@ -43,8 +43,9 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
-        let measured = self.curve.measure(&curve, None, console)?;
+        let split = self.curve.read(console)?;
+        let strokes = self.curve.measure_strokes(split, |_| Ok(None), console)?;
+        let measured = strokes.measured;
         if let Some(output) = &self.results.output {
             match output.format {
                 Format::Json => output.write_json(&object(&measured))?,
@@ -52,8 +53,15 @@ impl Job {
             }
         }
         self.results.print_json(|| Ok(object(&measured)))?;
+        let corners = match strokes.split.corners().len() {
+            0 => "",
+            1 => "; at 1 corner it is 0, and what stands there is that of the smooth pieces",
+            count => &format!(
+                "; at {count} corners it is 0, and what stands there is that of the smooth pieces"
+            ),
+        };
         console.note(format_args!(
-            "{} points, local feature size {} and more",
+            "{} points, local feature size {} and more{corners}",
             measured.dense().len(),
             Number(measured.lfs().minimum())
         ));

@@ -48,12 +48,12 @@ impl Job {
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let curve = self.curve.read()?;
-        let measured = self.curve.measure(&curve, None, console)?;
-        let axis = MedialAxis::new(measured.dense())?;
+        let split = self.curve.read(console)?;
+        let strokes = self.curve.measure_strokes(split, |_| Ok(None), console)?;
+        let axis = MedialAxis::new(strokes.measured.dense())?;
         let segments: Vec<Segment> = axis.edges().map(|edge| edge.segment).collect();
         if let Some(output) = &self.results.output {
-            write(output, &curve, &segments)?;
+            write(output, strokes.split.pieces(), &segments)?;
         }
         self.results.print_json(|| Ok(object(&segments)))?;
         console.note(format_args!("{} segments", segments.len()));

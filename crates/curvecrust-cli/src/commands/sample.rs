@@ -1,28 +1,26 @@
 //! `curvecrust sample`: samples of curves, as sparse as a condition allows.
 
 mod formats;
+mod result;
 
+use super::Outcome;
 use super::condition::{Requirement, name_and_bound};
-use super::curve_source::CurveSource;
+use super::curve_source::{CurveSource, touching};
 use super::guarantee::Guaranteed;
-use super::{Bounds, Outcome};
-use crate::args::{self, Corners, Count, Strokes};
+use crate::args::{self, Algorithm, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Layer, Number, Output, Picture, Results, npy};
-use anyhow::{Context, bail};
+use crate::output::{Number, Results};
+use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
-use curvecrust::evaluate::hausdorff;
-use curvecrust::geometry::{Edge, EdgeSet, PointSet, Progress};
-use curvecrust::medial_axis::{MeasuredCurve, MedialAxisError};
+use curvecrust::geometry::Progress;
+use curvecrust::medial_axis::MeasuredCurve;
+use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, SampledCurve, Sampling, SamplingError,
-    VerifyOptions, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
-    sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, VerifyOptions, decode,
+    sample, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
 };
-use formats::{features, write_csv, write_text};
-use serde::Serialize;
 
 /// The formats of samples, the one of stdout first.
 const FORMATS: &[Format] = &[
@@ -36,45 +34,14 @@ const FORMATS: &[Format] = &[
     Format::Npy,
 ];
 
-/// How exactly the Hausdorff distance is computed, as a share of the extent.
-const HAUSDORFF_TOLERANCE: f64 = 1e-4;
-
-/// What `--json` prints; the schema is stable, and in `docs/formats.md`.
-#[derive(Serialize)]
-struct Object {
-    samples: Vec<[f64; 2]>,
-    components: Vec<Component>,
-    condition: &'static str,
-    bound: f64,
-    max_distance: Option<f64>,
-    /// The largest value that the samples attain.
-    attained: Option<Bounds>,
-    count: usize,
-    /// Between the curve and the polygon of the samples.
-    hausdorff: Bounds,
-    /// `together` or `apart`.
-    strokes: &'static str,
-    guaranteed: Guaranteed,
-}
-
-/// Which samples belong to a component of the curve: those from `start` up to, without it, `end`.
-#[derive(Serialize)]
-struct Component {
-    start: usize,
-    end: usize,
-    closed: bool,
-}
-
 /// Which curves are sampled and how, and where the samples go.
 #[derive(Debug)]
 pub(crate) struct Job {
     curve: CurveSource,
     requirement: Requirement,
-    corners: Corners,
     strokes: Strokes,
-    /// Longer gaps than this share of the drawing stay.
-    snap: f64,
     count: Count,
+    decoder: Option<Algorithm>,
     results: Results,
 }
 
@@ -86,27 +53,25 @@ impl Job {
         Ok(Self {
             curve,
             requirement: requirement.context("give either --rho or --epsilon")?,
-            corners: args.corners,
             strokes: args.strokes,
-            snap: args.snap,
             count: args.count,
+            decoder: args.decoder,
             results,
         })
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
-        let (curve, sampled) = match self.corners {
-            Corners::Refuse => self.sample_smooth(self.curve.read_or_advise_split()?, console)?,
-            Corners::Split => {
-                let split = self.curve.read_split(self.snap)?;
-                self.tell_of_joined_gaps(&split, console);
-                self.sample_strokes(split, console)?
-            }
+        let split = self.curve.read(console)?;
+        let (curve, sampled) = if self.curve.splits() {
+            self.sample_strokes(split, console)?
+        } else {
+            self.sample_smooth(split.pieces().clone(), console)?
         };
         if let Some(output) = &self.results.output {
-            write(output, &curve, &sampled)?;
+            result::write(output, &curve, &sampled)?;
         }
-        self.results.print_json(|| object(&curve, &sampled))?;
+        self.results
+            .print_json(|| result::object(&curve, &sampled))?;
         let (name, bound) = name_and_bound(sampled.condition);
         let verified = if self.count == Count::Verified {
             ", fewer than the condition asks for: verified for this sample set only"
@@ -121,31 +86,15 @@ impl Job {
         Ok(Outcome::Fine)
     }
 
-    fn tell_of_joined_gaps(&self, split: &SplitCurve, console: &Console) {
-        let Some(first) = split.snapped().first() else {
-            return;
-        };
-        let gaps = match split.snapped().len() {
-            1 => String::from("a gap"),
-            count => format!("{count} gaps"),
-        };
-        console.note(format_args!(
-            "{}: {gaps} of at most {} % of the drawing joined, first at ({}, {})",
-            self.curve.name(),
-            Number(100.0 * self.snap),
-            Number(first.x),
-            Number(first.y)
-        ));
-    }
-
-    /// Samples of all strokes together, or of each by itself where they touch.
+    /// Samples of all strokes together; where they touch, of what is left of them when they are cut
+    /// there, or of each by itself.
     fn sample_strokes(
         &self,
         split: SplitCurve,
         console: &Console,
     ) -> anyhow::Result<(Curve, Sampled)> {
         let mut touch = None;
-        if self.strokes != Strokes::Apart {
+        if matches!(self.strokes, Strokes::Auto | Strokes::Together) {
             let together = self.sample_together(&split, console);
             touch = together.as_ref().err().and_then(touching);
             let may_part = self.strokes == Strokes::Auto && self.takes_pieces();
@@ -153,7 +102,33 @@ impl Job {
                 return together;
             }
         }
-        self.sample_pieces(&split.apart(), touch, console)
+        if self.strokes != Strokes::Apart {
+            let cut = self.sample_cut(&split, console);
+            if cut.is_ok() || self.strokes == Strokes::Cut {
+                return cut;
+            }
+        }
+        let apart = self.sample_pieces(&split.apart(), touch, console);
+        apart.map_err(|error| match touching(&error) {
+            Some(_) => anyhow!("{error:#}; a larger --snap leaves out spikes of drawing programs"),
+            None => error,
+        })
+    }
+
+    /// Samples of strokes that are cut where they touch.
+    fn sample_cut(
+        &self,
+        split: &SplitCurve,
+        console: &Console,
+    ) -> anyhow::Result<(Curve, Sampled)> {
+        let cut = self.curve.cut(split)?;
+        let (curve, mut sampled) = self.sample_pieces(&cut.curve, None, console)?;
+        if !cut.places.is_empty() {
+            self.curve.tell_of_cuts(&cut, console);
+            sampled.strokes = "cut";
+            sampled.places = cut.places;
+        }
+        Ok((curve, sampled))
     }
 
     fn sample_together(
@@ -189,12 +164,13 @@ impl Job {
             );
         }
         let condition = self.requirement.on(split.pieces())?;
+        let decoder = self.decoder.unwrap_or(&LeastDetour);
         let decoded = console.during("sampling", |progress| {
             let options = DecodeOptions {
                 sampling: SampleOptions {
                     progress: Progress::new(progress),
                 },
-                ..DecodeOptions::default()
+                decoder,
             };
             sample_decoded_with(split, condition, &options)
         });
@@ -217,19 +193,17 @@ impl Job {
             true => "the polygon of each stroke from its own samples",
             false => "the polygon of these samples",
         };
-        let found = match (decoded.is_exact, decoded.added) {
-            (true, 0) => format!("least detour returns exactly {polygon}"),
-            (true, added) => format!(
-                "least detour returns exactly {polygon}, {added} more than the condition asks for"
-            ),
-            (false, _) => format!("least detour does not return {polygon}"),
-        };
+        let (decoder, added) = (decoder.info().name, decoded.added);
+        let found = found(decoder, decoded.is_exact, added, polygon);
         console.note(format_args!("{corners}{found}"));
         let sampled = Sampled {
             condition,
             sampling: decoded.sampling,
             guaranteed: Guaranteed::of_run(decoded.is_exact),
-            ending: "",
+            decoder,
+            added,
+            ending: String::new(),
+            places: Vec::new(),
             strokes: if split.is_apart() {
                 "apart"
             } else {
@@ -247,15 +221,56 @@ impl Job {
             .transpose()?;
         let sampling = chosen(&curve, measured, condition, self.count, console);
         let sampling = sampling.with_context(|| self.curve.name())?;
-        let guaranteed = Guaranteed::of_smooth(&curve, condition, &sampling.samples);
-        let sampled = Sampled {
-            condition,
-            sampling,
-            strokes: "together",
-            guaranteed,
-            ending: guaranteed.ending(),
+        let is_by_theorem = Guaranteed::is_by_theorem(&curve, condition);
+        let sampled = if is_by_theorem && self.decoder.is_none() && self.count != Count::Verified {
+            Sampled {
+                condition,
+                sampling,
+                strokes: "together",
+                places: Vec::new(),
+                guaranteed: Guaranteed::Theorem,
+                decoder: HnnCrust::MUTUAL.info().name,
+                added: 0,
+                ending: String::from("; HNN-Crust is proven to return exactly their polygon"),
+            }
+        } else {
+            self.decoded(condition, sampling)
         };
         Ok((curve, sampled))
+    }
+
+    /// Samples with more of them near the edges that an algorithm gets wrong; as they are, if they
+    /// are to be as few as a verified sampling has.
+    fn decoded(&self, condition: Condition, sampling: Sampling) -> Sampled {
+        let decoder = self.decoder.unwrap_or(match self.count {
+            Count::Verified => &HnnCrust::MUTUAL,
+            _ => &LeastDetour,
+        });
+        let decoded = decode(sampling, decoder);
+        let (decoder, added) = (decoder.info().name, decoded.added);
+        let found = found(decoder, decoded.is_exact, added, "their polygon");
+        Sampled {
+            condition,
+            sampling: decoded.sampling,
+            strokes: "together",
+            places: Vec::new(),
+            guaranteed: Guaranteed::of_run(decoded.is_exact),
+            decoder,
+            added,
+            ending: format!("; {found}"),
+        }
+    }
+}
+
+/// What a run of an algorithm has found, in words.
+fn found(decoder: &str, is_exact: bool, added: usize, polygon: &str) -> String {
+    let decoder = decoder.replace('-', " ");
+    match (is_exact, added) {
+        (true, 0) => format!("{decoder} returns exactly {polygon}"),
+        (true, added) => {
+            format!("{decoder} returns exactly {polygon}, {added} more than the condition asks for")
+        }
+        (false, _) => format!("{decoder} does not return {polygon}"),
     }
 }
 
@@ -263,22 +278,15 @@ impl Job {
 struct Sampled {
     condition: Condition,
     sampling: Sampling,
-    /// `together` or `apart`.
+    /// `together`, `cut` or `apart`.
     strokes: &'static str,
+    /// Where strokes touched that are cut.
+    places: Vec<DVec2>,
     guaranteed: Guaranteed,
+    decoder: &'static str,
+    added: usize,
     /// How the last note ends; nothing where another one has said it.
-    ending: &'static str,
-}
-
-/// Where strokes touch or cross, if that is the error.
-fn touching(error: &anyhow::Error) -> Option<DVec2> {
-    let SamplingError::Measure(error) = error.downcast_ref::<SamplingError>()? else {
-        return None;
-    };
-    match *error {
-        MedialAxisError::Crossing { at, .. } | MedialAxisError::Touching { at, .. } => Some(at),
-        _ => None,
-    }
+    ending: String,
 }
 
 /// The samples that were asked for among all that satisfy the condition.
@@ -313,65 +321,4 @@ fn chosen(
             sample_verified_with(&greedy, &options)
         })?),
     }
-}
-
-fn write(output: &Output, curve: &Curve, sampled: &Sampled) -> anyhow::Result<()> {
-    let samples = &sampled.sampling.samples;
-    match output.format {
-        Format::Csv => output.write(|out| write_csv(out, samples)),
-        Format::Text => output.write(|out| write_text(out, samples)),
-        Format::Npy => {
-            let rows = samples.points().iter().map(|p| p.to_array());
-            output.write(|out| npy::write_f64(out, rows))
-        }
-        Format::Json => output.write_json(&object(curve, sampled)?),
-        Format::Svg => {
-            let layers = vec![Layer::Points(samples.points())];
-            output.write(|out| Picture { layers }.write(out))
-        }
-        _ => output.write_features(features(samples)),
-    }
-}
-
-fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object> {
-    let condition = sampled.condition;
-    let Sampling {
-        samples, attained, ..
-    } = &sampled.sampling;
-    let tolerance = HAUSDORFF_TOLERANCE * curve.extent();
-    let (points, polygon) = polygon(samples)?;
-    let distance = hausdorff(curve, &points, &polygon, tolerance).distance();
-    let (name, bound) = name_and_bound(condition);
-    let components = samples.components().iter().map(|component| Component {
-        start: component.range.start,
-        end: component.range.end,
-        closed: component.closed,
-    });
-    Ok(Object {
-        samples: samples.points().iter().map(|p| p.to_array()).collect(),
-        components: components.collect(),
-        condition: name,
-        bound,
-        max_distance: condition.hausdorff_limit(),
-        count: samples.len(),
-        attained: attained.map(|attained| Bounds {
-            lower: attained.bound,
-            upper: attained.at_most,
-        }),
-        hausdorff: distance.into(),
-        strokes: sampled.strokes,
-        guaranteed: sampled.guaranteed,
-    })
-}
-
-/// The samples as one set, and the polygon that joins them; strokes that are apart may share some.
-fn polygon(samples: &SampledCurve) -> anyhow::Result<(PointSet, EdgeSet)> {
-    let merged = PointSet::merging_duplicates(samples.points().to_vec())?;
-    let boundary = samples.manifold_boundary();
-    let edges = boundary.edges().iter().filter_map(|edge| {
-        let [a, b] = edge.ends().map(|v| merged.representative[v.index()]);
-        Edge::new(a, b)
-    });
-    let edges = EdgeSet::new(merged.points.len(), edges);
-    Ok((merged.points, edges))
 }

@@ -95,7 +95,7 @@ impl Layer<'_> {
                     writeln!(out, r#"<path d="{}"/>"#, Data(points.iter(), *closed))?;
                 }
             }
-            Self::Why(points, explanation) => why::write(out, points, explanation, pixel)?,
+            Self::Why(points, explanation) => why::write(out, points, explanation, frame)?,
             Self::Fitted(fitted) => fitted::curves(out, fitted, pixel)?,
             Self::FittedPoints(points, fitted) => fitted::points(out, points, fitted, pixel)?,
             Self::Points(points) => {

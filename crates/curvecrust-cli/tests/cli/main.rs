@@ -10,6 +10,7 @@ mod bad_documents;
 mod bad_input;
 mod curves;
 mod docs;
+mod drawings;
 mod files;
 mod fit;
 mod formats;

@@ -5,9 +5,9 @@ use super::entities::expansion;
 use super::strict::unsupported;
 use super::{MAX_EXPANSION, SVG};
 use crate::error::CurveError;
+use roxmltree::{Document, Node, NodeId};
 use std::collections::HashSet;
 use std::collections::hash_map::{Entry, HashMap};
-use usvg::roxmltree::{Document, Node, NodeId};
 
 /// Entities that a document declares: each reference is looked up among all.
 pub const MAX_ENTITIES: usize = 1_000;

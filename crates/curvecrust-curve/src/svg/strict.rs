@@ -1,22 +1,14 @@
-//! What usvg passes over in silence is refused here: malformed attributes, geometry in CSS,
+//! What browsers pass over in silence is refused here: malformed attributes, geometry in CSS,
 //! references to nothing.
 
-use std::collections::HashMap;
-use std::ops::Range;
-
+use roxmltree::{Attribute, Node};
 use svgtypes::{AspectRatio, ViewBox};
-use usvg::roxmltree::{Attribute, Document, Node, NodeId};
 
 use super::SVG;
 use super::value::{self, Length};
-use crate::bezier_path::BezierPath;
 use crate::error::CurveError;
-use crate::path_data;
 
 const XLINK: &str = "http://www.w3.org/1999/xlink";
-
-/// Elements within each other, `use` included; usvg needs stack for each.
-const MAX_DEPTH: usize = 128;
 
 /// Elements that draw, or that hold what can be drawn; `defs` by reference.
 const DRAWING: &[&str] = &[
@@ -24,8 +16,12 @@ const DRAWING: &[&str] = &[
     "line", "polyline", "polygon",
 ];
 
-/// Properties that move or change a shape when they are set in CSS, which usvg does not read there,
-/// or not as CSS has them.
+/// Elements that draw by themselves.
+const SHAPES: &[&str] = &[
+    "path", "circle", "ellipse", "rect", "line", "polyline", "polygon",
+];
+
+/// Properties that move or change a shape when they are set in CSS, where they are not read.
 const GEOMETRY: &[&str] = &[
     "transform",
     "translate",
@@ -45,15 +41,6 @@ const GEOMETRY: &[&str] = &[
     "height",
 ];
 
-/// A path element.
-pub(super) struct PathElement<'a, 'input> {
-    pub(super) node: Node<'a, 'input>,
-    /// Where its path data stand in the text of the document.
-    pub(super) d: Range<usize>,
-    /// What it draws, in its own coordinates.
-    pub(super) components: Vec<BezierPath>,
-}
-
 /// How messages name an element.
 pub(super) fn label(node: Node<'_, '_>) -> String {
     let line = node.document().text_pos_at(node.range().start).row;
@@ -68,7 +55,7 @@ pub(super) fn unsupported(what: impl Into<String>) -> CurveError {
     CurveError::Unsupported { what: what.into() }
 }
 
-fn refused(attribute: &Attribute<'_, '_>, message: impl Into<String>) -> CurveError {
+pub(super) fn refused(attribute: &Attribute<'_, '_>, message: impl Into<String>) -> CurveError {
     CurveError::Attribute {
         name: attribute.name().to_owned(),
         value: attribute.value().to_owned(),
@@ -76,24 +63,26 @@ fn refused(attribute: &Attribute<'_, '_>, message: impl Into<String>) -> CurveEr
     }
 }
 
-/// The elements by their names; as in browsers, the first of a name counts.
-pub(super) fn by_id<'a, 'input>(
-    document: &'a Document<'input>,
-) -> HashMap<&'a str, Node<'a, 'input>> {
-    let mut by_id = HashMap::new();
-    for node in document.descendants() {
-        if let Some(id) = node.attribute("id") {
-            by_id.entry(id).or_insert(node);
-        }
-    }
-    by_id
+/// Whether an element draws, or may hold what does.
+pub(super) fn is_drawing(node: Node<'_, '_>) -> bool {
+    let tag = node.tag_name();
+    matches!(tag.namespace(), None | Some(SVG)) && DRAWING.contains(&tag.name())
 }
 
-/// All path elements that may be drawn, once everything that may be drawn is known to be sound.
-pub(super) fn paths<'a, 'input>(
-    root: Node<'a, 'input>,
-    by_id: &HashMap<&'a str, Node<'a, 'input>>,
-) -> Result<Vec<PathElement<'a, 'input>>, CurveError> {
+/// Whether an element of those that draw is a shape.
+pub(super) fn is_shape(node: Node<'_, '_>) -> bool {
+    SHAPES.contains(&node.tag_name().name())
+}
+
+/// What a `use` element refers to.
+pub(super) fn link<'a, 'input>(node: Node<'a, 'input>) -> Option<Attribute<'a, 'input>> {
+    let in_xlink = |a: &Attribute<'_, '_>| (a.namespace(), a.name()) == (Some(XLINK), "href");
+    let plain = node.attributes().find(|a| is_plain(a, "href"));
+    plain.or_else(|| node.attributes().find(in_xlink))
+}
+
+/// Refuses style sheets that set geometry.
+pub(super) fn check_sheets(root: Node<'_, '_>) -> Result<(), CurveError> {
     for node in root.descendants().filter(|n| n.has_tag_name("style")) {
         let sheet: String = node.descendants().filter_map(|n| n.text()).collect();
         if let Some(name) = geometry_in_css(&sheet) {
@@ -101,101 +90,38 @@ pub(super) fn paths<'a, 'input>(
             return Err(unsupported(what).within(label(node)));
         }
     }
-    let absolute = |name| root.attribute(name).is_some_and(|v| !v.ends_with('%'));
-    let mut walk = Walk {
-        by_id,
-        sized: root.has_attribute("viewBox") || absolute("width") && absolute("height"),
-        heights: HashMap::new(),
-        paths: Vec::new(),
-    };
-    walk.element(root, 0)?;
-    Ok(walk.paths)
+    Ok(())
 }
 
-struct Walk<'a, 'input, 'm> {
-    by_id: &'m HashMap<&'a str, Node<'a, 'input>>,
+/// Checks of the attributes of elements.
+pub(super) struct Check {
     /// Whether the document has a size, which percentages refer to.
-    sized: bool,
-    /// How deep the elements seen so far are, `use` included; `None` while inside of them.
-    heights: HashMap<NodeId, Option<usize>>,
-    paths: Vec<PathElement<'a, 'input>>,
+    is_sized: bool,
 }
 
-impl<'a, 'input> Walk<'a, 'input, '_> {
-    /// Checks what an element draws, and returns how many levels that has.
-    fn element(&mut self, node: Node<'a, 'input>, depth: usize) -> Result<usize, CurveError> {
-        let tag = node.tag_name();
-        let is_svg = matches!(tag.namespace(), None | Some(SVG));
-        if !is_svg || !DRAWING.contains(&tag.name()) {
-            return Ok(0);
-        }
-        let height = match self.heights.get(&node.id()) {
-            Some(&height) => height.unwrap_or(0),
-            None if depth > MAX_DEPTH => 0,
-            None => {
-                self.heights.insert(node.id(), None);
-                let height = 1 + self.first_visit(node, depth)?;
-                self.heights.insert(node.id(), Some(height));
-                height
-            }
+impl Check {
+    pub(super) fn of(root: Node<'_, '_>) -> Self {
+        let absolute = |name| {
+            let length = root.attribute(name).map(value::length);
+            matches!(length, Some(Ok(Length::Absolute(_))))
         };
-        if depth + height > MAX_DEPTH {
-            let what = format!("it is more than {MAX_DEPTH} levels deep: simplify the document");
-            return Err(unsupported(what).within(label(node)));
+        Self {
+            is_sized: root.has_attribute("viewBox") || absolute("width") && absolute("height"),
         }
-        Ok(height)
     }
 
-    fn first_visit(&mut self, node: Node<'a, 'input>, depth: usize) -> Result<usize, CurveError> {
-        let here = |error: CurveError| error.within(label(node));
+    pub(super) fn element(&self, node: Node<'_, '_>) -> Result<(), CurveError> {
         for attribute in node.attributes() {
-            self.check(node, attribute).map_err(here)?;
+            self.attribute(node, attribute)?;
         }
-        check_size(node).map_err(here)?;
-        match node.tag_name().name() {
-            "path" => {
-                if let Some(d) = node.attributes().find(|a| is_plain(a, "d")) {
-                    self.paths.push(PathElement {
-                        node,
-                        d: d.range_value(),
-                        components: path_data::parse(d.value()).map_err(here)?,
-                    });
-                }
-                Ok(0)
-            }
-            "use" => match self.target(node).map_err(here)? {
-                Some(target) => self.element(target, depth + 1),
-                None => Ok(0),
-            },
-            _ => {
-                let mut height = 0;
-                for child in node.children() {
-                    height = height.max(self.element(child, depth + 1)?);
-                }
-                Ok(height)
-            }
-        }
+        check_size(node)
     }
 
-    /// The element that a `use` element refers to.
-    fn target(&self, node: Node<'a, 'input>) -> Result<Option<Node<'a, 'input>>, CurveError> {
-        let in_xlink = |a: &Attribute<'_, '_>| (a.namespace(), a.name()) == (Some(XLINK), "href");
-        let plain = node.attributes().find(|a| is_plain(a, "href"));
-        let Some(link) = plain.or_else(|| node.attributes().find(in_xlink)) else {
-            return Ok(None);
-        };
-        let id = link.value().strip_prefix('#').unwrap_or_default();
-        let message = match self.by_id.get(id) {
-            None => "is no element of the document: correct or remove it",
-            Some(target) if self.heights.get(&target.id()) == Some(&None) => {
-                "contains this element itself: correct or remove it"
-            }
-            Some(&target) => return Ok(Some(target)),
-        };
-        Err(refused(&link, message))
-    }
-
-    fn check(&self, node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Result<(), CurveError> {
+    fn attribute(
+        &self,
+        node: Node<'_, '_>,
+        attribute: Attribute<'_, '_>,
+    ) -> Result<(), CurveError> {
         let value = attribute.value();
         let checked = match (attribute.namespace(), attribute.name()) {
             (None, "style") => match geometry_in_css(value) {
@@ -225,11 +151,15 @@ impl<'a, 'input> Walk<'a, 'input, '_> {
             return Ok(());
         }
         let length = value::length(value).ok();
-        let Some(length) = length.filter(|length| is_single(length.sign())) else {
+        let Some(length) = length.filter(|length| is_small(length.sign())) else {
             return Err("is not a length: give a number below 1e38".to_owned());
         };
         let is_root = node.parent_element().is_none();
-        if matches!(length, Length::Percent(_)) && !self.sized && !is_root {
+        if matches!(length, Length::OfFont(_)) && !is_root {
+            let message = "is in units of a font, which has no size here: give a number";
+            return Err(message.to_owned());
+        }
+        if matches!(length, Length::Percent(_)) && !self.is_sized && !is_root {
             let message = "is a part of a size that the root does not have: give it a viewBox";
             return Err(message.to_owned());
         }
@@ -266,18 +196,19 @@ fn check_size(node: Node<'_, '_>) -> Result<(), CurveError> {
 
 fn check_transform(value: &str) -> Result<(), String> {
     let transform = value::transform(value).map_err(|error| error.to_string())?;
-    #[expect(clippy::cast_possible_truncation, reason = "as usvg does")]
-    let [a, b, c, d, e, f] = transform.to_cols_array().map(|v| v as f32);
-    match usvg::Transform::from_row(a, b, c, d, e, f).is_valid() {
-        true => Ok(()),
-        false => Err("scales to nothing, or beyond 1e38: correct it".to_owned()),
+    let is_small = transform.to_cols_array().into_iter().all(is_small);
+    let determinant = transform.matrix2.determinant();
+    if is_small && determinant.abs() >= f64::MIN_POSITIVE {
+        Ok(())
+    } else {
+        Err("scales to nothing, or beyond 1e38: correct it".to_owned())
     }
 }
 
 fn check_points(value: &str) -> Result<(), String> {
     let points = value::points(value).map_err(|error| error.to_string())?;
     let mut numbers = points.iter().flat_map(|p| p.to_array());
-    match numbers.find(|&number| !is_single(number)) {
+    match numbers.find(|&number| !is_small(number)) {
         None => Ok(()),
         Some(number) => Err(format!("has the number {number:e}: keep below 1e38")),
     }
@@ -285,7 +216,7 @@ fn check_points(value: &str) -> Result<(), String> {
 
 fn check_view_box(value: &str) -> Result<(), String> {
     let view = value.parse::<ViewBox>().ok();
-    match view.filter(|v| [v.x, v.y, v.w, v.h].into_iter().all(is_single)) {
+    match view.filter(|v| [v.x, v.y, v.w, v.h].into_iter().all(is_small)) {
         Some(_) => Ok(()),
         None => Err("must be four numbers, the last two positive: correct it".to_owned()),
     }
@@ -311,7 +242,7 @@ fn is_plain(attribute: &Attribute<'_, '_>, name: &str) -> bool {
     attribute.name() == name && attribute.namespace().is_none()
 }
 
-/// Whether a number is in the range of single precision.
-fn is_single(number: f64) -> bool {
-    number.abs() <= f64::from(f32::MAX)
+/// Whether sums and products of numbers like this one stay far from infinity.
+fn is_small(number: f64) -> bool {
+    number.abs() <= 1e38
 }

@@ -3,7 +3,7 @@
 
 use super::strict::{label, unsupported};
 use crate::error::CurveError;
-use usvg::roxmltree::{Document, Node};
+use roxmltree::{Document, Node};
 
 /// Declarations in a `style` attribute or in a rule of a style sheet.
 pub const MAX_DECLARATIONS: usize = 1_000;

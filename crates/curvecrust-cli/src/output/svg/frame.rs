@@ -13,6 +13,8 @@ pub(super) struct Frame {
     pub(super) extent: DVec2,
     /// The length of a pixel.
     pub(super) pixel: f64,
+    /// How many legends stand below each other under the data.
+    pub(super) legends: u8,
 }
 
 /// The larger side of the data on a page, in pixels.
@@ -21,6 +23,14 @@ const SIZE: f64 = 800.0;
 const MARGIN: f64 = 24.0;
 /// Below them, for a legend.
 pub(super) const LEGEND: f64 = 48.0;
+
+/// Colours on a dark page; those on a light one are attributes.
+const DARK: &str = "<style>@media (prefers-color-scheme: dark) {
+#page { fill: #14161a } #points, #legend, #reasons { fill: #eee } #curve { stroke: #7d7d7d }
+#medial-axis { stroke: #6fb1f5 } #edges path, .certified { stroke: #ff6f61 }
+.completed { stroke: #c79bf2 } .exchanged, #violations { stroke: #ffa640 }
+.required { stroke: #62cc78 } .rejected { stroke: #a0a0a0 }
+}</style>";
 
 impl Frame {
     pub(super) fn around(picture: &Picture<'_>) -> Self {
@@ -41,22 +51,23 @@ impl Frame {
             (DVec2::ZERO, DVec2::ONE)
         };
         let pixel = extent.max_element() / SIZE;
-        let has_legend = |layer: &Layer<'_>| matches!(layer, Layer::Lfs(_));
-        let below = if picture.layers.iter().any(has_legend) {
-            LEGEND
-        } else {
-            0.0
-        };
+        let has = |is_it: fn(&Layer<'_>) -> bool| u8::from(picture.layers.iter().any(is_it));
+        let legends = has(|layer| matches!(layer, Layer::Lfs(_)))
+            + has(|layer| matches!(layer, Layer::Why(..)));
+        let below = f64::from(legends) * LEGEND;
         Self {
             low: low - MARGIN * pixel,
             extent: extent + DVec2::new(2.0 * MARGIN, 2.0 * MARGIN + below) * pixel,
             pixel,
+            legends,
         }
     }
 
-    /// Opens the document, on white.
+    /// Opens the document, on white, or on black where readers prefer that.
     pub(super) fn open(&self, out: &mut dyn Write) -> io::Result<()> {
-        let Self { low, extent, pixel } = *self;
+        let Self {
+            low, extent, pixel, ..
+        } = *self;
         let size = (extent / pixel).round();
         let [x, y, width, height] = [low.x, low.y, extent.x, extent.y].map(Number);
         writeln!(
@@ -64,9 +75,10 @@ impl Frame {
             r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="{x} {y} {width} {height}">"#,
             size.x, size.y
         )?;
+        writeln!(out, "{DARK}")?;
         writeln!(
             out,
-            r##"<rect x="{x}" y="{y}" width="{width}" height="{height}" fill="#fff"/>"##
+            r##"<rect id="page" x="{x}" y="{y}" width="{width}" height="{height}" fill="#fff"/>"##
         )
     }
 }
