@@ -7,8 +7,8 @@ use glam::DVec2;
 use curvecrust_geometry::{Chain, EdgeSet, PointSet};
 use curvecrust_reconstruct::{Known, LeastDetour, ReconstructError, Reconstructor};
 
+use crate::model::{Assigned, Model};
 use crate::robust::{NORMAL, median};
-use crate::tree::Tree;
 
 /// Points are clean whose residuals from the cubic through their neighbours have a deviation below
 /// this share of the spacing.
@@ -19,7 +19,11 @@ const SPIKE: f64 = 0.7;
 const LEFT: f64 = 0.5;
 /// The points on each side about which turning is measured.
 const SIDE: usize = 4;
-/// A rejected point near a chain is looked at again, within this many spacings.
+/// A chain of the background has so many times the usual spacing.
+const SPARSE: f64 = 3.0;
+/// The points on each side of a point that tell whether it alone misses the curve.
+const BESIDE: usize = 3;
+/// A point near a curve is looked at, within this many spacings.
 const NEAR: f64 = 4.0;
 const ROUNDS: usize = 10;
 
@@ -82,45 +86,55 @@ fn turning(points: &[DVec2]) -> f64 {
     points.windows(3).map(turn).sum()
 }
 
-/// The points that lie on clean curves: without those that the band left out, but for the ones near
-/// its chains, and without spikes. Where nothing is left out, all points.
-pub(crate) fn on_curves(points: &[DVec2], band: &[bool]) -> Option<Vec<bool>> {
+/// The points without those that stand out of clean curves.
+pub(crate) fn without_spikes_at_all(points: &[DVec2]) -> Option<Vec<bool>> {
     let all = vec![true; points.len()];
-    let first = without_spikes(points, &all, all.clone())?;
-    if first.iter().all(|&stays| stays) || band.iter().all(|&b| !b) {
-        return Some(first);
+    without_spikes(points, &all, all.clone())
+}
+
+/// The points that lie on clean curves: those of the band and those near the curves of the model,
+/// without those that alone miss theirs, and without spikes.
+pub(crate) fn on_curves(points: &[DVec2], band: &[bool], model: &Model) -> Option<Vec<bool>> {
+    let counts = model.counts();
+    let arcs = model.arcs.iter().zip(counts);
+    let spacing: Vec<f64> = arcs.map(|(a, n)| a.length() / n.max(1) as f64).collect();
+    let is_near = |a: &Assigned| a.distance < NEAR * spacing[a.arc];
+    let near: Vec<bool> = model.nearest.iter().map(is_near).collect();
+    let stays = near.iter().zip(band).zip(lone(model));
+    let stays = stays.map(|((&near, &band), lone)| (near || band) && !lone);
+    without_spikes(points, &near, stays.collect())
+}
+
+/// Whether each point misses its curve where nearly all points before and behind it are on it. At a
+/// corner, which a spline rounds, several miss it one after the other.
+fn lone(model: &Model) -> Vec<bool> {
+    let mut along: Vec<Vec<(f64, usize)>> = vec![Vec::new(); model.arcs.len()];
+    for (i, place) in model.nearest.iter().enumerate() {
+        along[place.arc].push((place.parameter, i));
     }
-    without_spikes(points, band, readmitted(points, band))
+    let mut lone = vec![false; model.nearest.len()];
+    for (arc, mut along) in model.arcs.iter().zip(along) {
+        along.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let count = along.len();
+        let is_on = |k: usize| model.assigned[along[k].1].is_some();
+        for k in 0..count {
+            let around = (1..=BESIDE).flat_map(|step| {
+                let round = arc.fit.spline.closed && count > 2 * BESIDE;
+                let before = k.checked_sub(step).or(round.then(|| k + count - step));
+                let after = Some(k + step).filter(|&j| j < count);
+                [before, after.or(round.then(|| k + step - count))]
+            });
+            let around: Vec<bool> = around.flatten().map(is_on).collect();
+            let on = around.iter().filter(|&&on| on).count();
+            lone[along[k].1] = !is_on(k) && on > BESIDE && on + 1 >= around.len();
+        }
+    }
+    lone
 }
 
-/// The band and what lies within some spacings of it.
-fn readmitted(points: &[DVec2], band: &[bool]) -> Vec<bool> {
-    let inside: Vec<DVec2> = points
-        .iter()
-        .zip(band)
-        .filter_map(|(&p, &b)| b.then_some(p))
-        .collect();
-    let tree = Tree::new(&inside);
-    let is_near = |p: DVec2| {
-        let Some((nearest, squared)) = tree.nearest(p).next() else {
-            return false;
-        };
-        let around: Vec<f64> = tree
-            .nearest(inside[nearest])
-            .take(8)
-            .map(|(_, s)| s)
-            .collect();
-        let spacing = around.last().map_or(0.0, |s| s.sqrt() / 4.0);
-        squared.sqrt() < NEAR * spacing
-    };
-    points
-        .iter()
-        .zip(band)
-        .map(|(&p, &b)| b || is_near(p))
-        .collect()
-}
-
-fn without_spikes(points: &[DVec2], band: &[bool], mut stays: Vec<bool>) -> Option<Vec<bool>> {
+/// The points that stay, without spikes and isolated points; without ends that turn off, and chains
+/// that are short or far sparser than the others, where these are not near a curve.
+fn without_spikes(points: &[DVec2], near: &[bool], mut stays: Vec<bool>) -> Option<Vec<bool>> {
     for _ in 0..ROUNDS {
         let ids: Vec<usize> = (0..points.len()).filter(|&i| stays[i]).collect();
         // Moved away from zero, below whose magnitude predicates lose digits.
@@ -128,15 +142,21 @@ fn without_spikes(points: &[DVec2], band: &[bool], mut stays: Vec<bool>) -> Opti
         let set = PointSet::merging_duplicates(moved).ok()?;
         let places: Vec<DVec2> = set.points.points().to_vec();
         let found = edges(&set.points, &Known::default()).ok()?;
-        let outside = |i: usize| !band[ids[set.origin[i]]];
+        let outside = |i: usize| !near[ids[set.origin[i]]];
+        let usual = spacing(
+            &places,
+            found.edges().iter().map(|e| e.ends().map(|v| v.index())),
+        );
         let mut dropped: Vec<usize> = found.isolated().iter().map(|v| v.index()).collect();
         for chain in found.chains() {
             let along: Vec<usize> = chain.vertices().iter().map(|v| v.index()).collect();
+            let out = along.iter().filter(|&&i| outside(i)).count();
+            let own = spacing(&places, along.windows(2).map(|w| [w[0], w[1]]));
+            if 2 * out > along.len() && (along.len() < 5 || own > SPARSE * usual) {
+                dropped.extend(along);
+                continue;
+            }
             if along.len() < 5 {
-                let out = along.iter().filter(|&&i| outside(i)).count();
-                if 2 * out > along.len() {
-                    dropped.extend(along);
-                }
                 continue;
             }
             dropped.extend(spikes(&places, &along, chain.is_closed()));
@@ -152,6 +172,12 @@ fn without_spikes(points: &[DVec2], band: &[bool], mut stays: Vec<bool>) -> Opti
         }
     }
     Some(stays)
+}
+
+/// The median distance of pairs of places; 0 of none.
+fn spacing(places: &[DVec2], pairs: impl Iterator<Item = [usize; 2]>) -> f64 {
+    let mut lengths: Vec<f64> = pairs.map(|[i, j]| places[i].distance(places[j])).collect();
+    median(&mut lengths)
 }
 
 /// Inner points of a chain that stand out; of those near each other only the worst.
@@ -224,8 +250,7 @@ mod tests {
     fn a_spike_is_found_and_nothing_else() {
         let mut points = circle(40);
         points.push(DVec2::from_angle(0.08) * 1.2);
-        let band = vec![true; 41];
-        let stays = on_curves(&points, &band).unwrap();
+        let stays = without_spikes_at_all(&points).unwrap();
         assert_eq!(stays.iter().filter(|&&s| !s).count(), 1);
         assert!(!stays[40]);
     }

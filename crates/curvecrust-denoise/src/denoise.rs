@@ -84,20 +84,56 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
         return Ok(convert::clean(points, &all, edges));
     }
     let frame = Frame::new(points);
-    let found = frame.best(options);
-    let in_band = found.as_ref().map(|(_, band)| band.clone());
-    if options.sigma.is_none()
-        && let Some(fitted) = clean_points(points, &frame, in_band, options)?
-    {
-        return Ok(fitted);
+    let may_be_clean = options.sigma.is_none();
+    let all_clean = may_be_clean && is_clean(&frame.points);
+    let even = all_clean
+        .then(|| clean::without_spikes_at_all(&frame.points))
+        .flatten();
+    if let Some(stays) = even.as_ref().filter(|stays| stays.iter().all(|&s| s)) {
+        return frame.clean(points, stays, options);
     }
-    let model = found.map(|(model, _)| model);
+    let Some((model, in_band)) = frame.best(options) else {
+        return match even {
+            Some(stays) => frame.clean(points, &stays, options),
+            None => Ok(convert::noisy(
+                points.len(),
+                &frame.order,
+                frame.to_unit,
+                None,
+            )),
+        };
+    };
+    if may_be_clean {
+        let inside = frame.points.iter().zip(&in_band);
+        let inside: Vec<DVec2> = inside.filter_map(|(&p, &b)| b.then_some(p)).collect();
+        if (all_clean || is_clean(&inside))
+            && let Some(stays) = clean::on_curves(&frame.points, &in_band, &model)
+        {
+            return frame.clean(points, &stays, options);
+        }
+    }
     Ok(convert::noisy(
         points.len(),
         &frame.order,
         frame.to_unit,
-        model.as_ref(),
+        Some(&model),
     ))
+}
+
+/// Whether most points lie on their curves.
+fn is_clean(points: &[DVec2]) -> bool {
+    // Moved away from zero, below whose magnitude predicates lose digits.
+    let moved = points.iter().map(|&p| p + DVec2::ONE).collect();
+    let Ok(merged) = PointSet::merging_duplicates(moved) else {
+        return false;
+    };
+    let noise = |algorithm: &dyn Reconstructor| {
+        clean::noise(
+            &merged.points,
+            &algorithm.reconstruct(&merged.points).chains(),
+        )
+    };
+    noise(&HnnCrust::MUTUAL) < SCATTERED && noise(&LeastDetour) < CLEAN
 }
 
 /// The points in the unit box, sorted by coordinates: what follows does not depend on their order.
@@ -120,6 +156,25 @@ impl Frame {
             order,
             points,
         }
+    }
+
+    /// The result for points of which some, in the order of this frame, lie on their curves.
+    fn clean(
+        &self,
+        points: &PointSet,
+        sorted: &[bool],
+        options: &Options,
+    ) -> Result<Fitted, DenoiseError> {
+        let mut stays = vec![false; points.len()];
+        for (&i, &s) in self.order.iter().zip(sorted) {
+            stays[i] = s;
+        }
+        let left = points.points().iter().zip(&stays);
+        let left = left.filter_map(|(&p, &s)| s.then_some(p)).collect();
+        // A part of a set of points is one.
+        let left = PointSet::new(left).unwrap_or_default();
+        let edges = clean::edges(&left, &options.known())?;
+        Ok(convert::clean(points, &stays, edges))
     }
 
     /// The model of the best score over several scales, and which points its band holds.
@@ -171,56 +226,4 @@ impl Frame {
         }
         Some((refined(&self.points, found, sigma, options), in_band))
     }
-}
-
-/// The result for points that lie on their curves, if they do, outliers aside.
-fn clean_points(
-    points: &PointSet,
-    frame: &Frame,
-    in_band: Option<Vec<bool>>,
-    options: &Options,
-) -> Result<Option<Fitted>, DenoiseError> {
-    let in_band = in_band.unwrap_or_else(|| vec![true; points.len()]);
-    let inside = frame
-        .points
-        .iter()
-        .zip(&in_band)
-        .filter_map(|(&p, &b)| b.then_some(p));
-    // Moved away from zero, below whose magnitude predicates lose digits.
-    let inside = PointSet::new(inside.map(|p| p + DVec2::ONE).collect());
-    let sets = [
-        Some(points),
-        inside
-            .as_ref()
-            .ok()
-            .filter(|inside| inside.len() < points.len()),
-    ];
-    let least = |noise: &dyn Fn(&PointSet) -> f64| {
-        sets.iter()
-            .flatten()
-            .map(|set| noise(set))
-            .fold(f64::INFINITY, f64::min)
-    };
-    if least(&|set| clean::noise(set, &HnnCrust::MUTUAL.reconstruct(set).chains())) >= SCATTERED
-        || least(&|set| clean::noise(set, &LeastDetour.reconstruct(set).chains())) >= CLEAN
-    {
-        return Ok(None);
-    }
-    let Some(sorted) = clean::on_curves(&frame.points, &in_band) else {
-        return Ok(None);
-    };
-    let mut stays = vec![false; points.len()];
-    for (&i, &s) in frame.order.iter().zip(&sorted) {
-        stays[i] = s;
-    }
-    let left = points
-        .points()
-        .iter()
-        .zip(&stays)
-        .filter_map(|(&p, &s)| s.then_some(p));
-    let Ok(left) = PointSet::new(left.collect()) else {
-        return Ok(None);
-    };
-    let edges = clean::edges(&left, &options.known())?;
-    Ok(Some(convert::clean(points, &stays, edges)))
 }

@@ -49,6 +49,8 @@ pub(crate) struct Model {
     pub(crate) arcs: Vec<Arc>,
     /// By point; `None` for outliers.
     pub(crate) assigned: Vec<Option<Assigned>>,
+    /// By point, outliers too.
+    pub(crate) nearest: Vec<Assigned>,
     /// The log-likelihood, less log n for two degrees of freedom or one end.
     pub(crate) score: f64,
     /// By how many times its degrees of freedom the model explains the points better than if they
@@ -150,29 +152,29 @@ fn assign(points: &[DVec2], fits: &[Fit]) -> Option<Model> {
     }
     let tree = Tree::new(&all);
     let place = |p: &DVec2| {
-        let (nearest, _) = tree.nearest(*p).next()?;
+        let nearest = tree.nearest(*p).next().map_or(0, |(nearest, _)| nearest);
         let (arc, sample) = of[nearest];
         let (parameter, distance) = samples[arc].refined(*p, sample);
         let parameter = fits[arc].spline.wrapped(parameter);
-        Some(Assigned {
+        Assigned {
             arc,
             parameter,
             distance,
-        })
+        }
     };
-    let mut assigned: Vec<Option<Assigned>> = points.par_iter().map(place).collect();
+    let nearest: Vec<Assigned> = points.par_iter().map(place).collect();
     let floor: Vec<f64> = (0..fits.len())
         .map(|arc| {
-            let count = assigned.iter().flatten().filter(|a| a.arc == arc).count();
+            let count = nearest.iter().filter(|a| a.arc == arc).count();
             FINEST * length(samples[arc].places()) / count.max(1) as f64
         })
         .collect();
-    for place in &mut assigned {
-        *place = place.filter(|a| {
-            let sigma = fits[a.arc].spread.at(a.parameter).max(floor[a.arc]);
-            a.distance <= INLIER * sigma
-        });
-    }
+    let belongs = |a: &Assigned| {
+        let sigma = fits[a.arc].spread.at(a.parameter).max(floor[a.arc]);
+        a.distance <= INLIER * sigma
+    };
+    let assigned = nearest.iter().map(|&a| belongs(&a).then_some(a));
+    let assigned: Vec<Option<Assigned>> = assigned.collect();
     let arcs = fits.iter().enumerate().map(|(k, fit)| {
         let own = assigned.iter().flatten().filter(|a| a.arc == k);
         let (from, to) = ends(fit, own.map(|a| a.parameter).collect());
@@ -185,6 +187,7 @@ fn assign(points: &[DVec2], fits: &[Fit]) -> Option<Model> {
     Some(Model {
         arcs: arcs.collect(),
         assigned,
+        nearest,
         score: f64::NEG_INFINITY,
         evidence: 0.0,
     })

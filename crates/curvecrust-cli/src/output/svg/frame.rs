@@ -27,7 +27,8 @@ pub(super) const LEGEND: f64 = 48.0;
 /// Colours on a dark page; those on a light one are attributes.
 const DARK: &str = "<style>@media (prefers-color-scheme: dark) {
 #page { fill: #14161a } #points, #legend, #reasons { fill: #eee } #curve { stroke: #7d7d7d }
-#medial-axis { stroke: #6fb1f5 } #edges path, .certified { stroke: #ff6f61 }
+#medial-axis { stroke: #6fb1f5 } #edges path, .certified, #fitted { stroke: #ff6f61 }
+#band { fill: #ff6f61 } #outliers { stroke: #6fb1f5 }
 .completed { stroke: #c79bf2 } .exchanged, #violations { stroke: #ffa640 }
 .required { stroke: #62cc78 } .rejected { stroke: #a0a0a0 }
 }</style>";
