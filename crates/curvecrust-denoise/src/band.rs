@@ -5,6 +5,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use glam::DVec2;
 use rayon::prelude::*;
 
+use curvecrust_geometry::Interrupt;
+
 use crate::area::hull_area;
 use crate::scale::scales;
 use crate::tree::Tree;
@@ -111,7 +113,9 @@ impl Windows {
         let count = self.points.len();
         let zeros = || (0..count).map(|_| AtomicU32::new(0)).collect::<Vec<_>>();
         let (seen, for_it) = (zeros(), zeros());
+        let interrupt = Interrupt::current();
         (0..count).into_par_iter().for_each(|i| {
+            interrupt.check();
             let Some((members, found)) = self.at(i) else {
                 return;
             };
@@ -133,7 +137,9 @@ impl Windows {
     }
 
     fn members(&self) -> Vec<Member> {
+        let interrupt = Interrupt::current();
         let member = |i: usize| {
+            interrupt.check();
             let radius = self.radii[i]?;
             let (members, found) = self.at(i)?;
             Some(Member {

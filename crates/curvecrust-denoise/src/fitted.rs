@@ -115,33 +115,48 @@ impl FittedCurve {
     }
 
     /// Points in order along the curve whose polyline is nowhere farther from it than a tolerance
-    /// above 0. A closed curve does not repeat its first point.
-    ///
-    /// Source of the number of points: G. Wang, 1984, after L. Goldman, *Graphics Gems*.
+    /// above 0; see [`polyline`].
     #[must_use]
     pub fn polyline(&self, tolerance: f64) -> Vec<DVec2> {
-        let mut places: Vec<DVec2> = self.cubics.first().map(|c| c[0]).into_iter().collect();
-        for &cubic in &self.cubics {
-            let [a, b, c, d] = cubic;
-            let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
-            let wanted = (0.75 * bend / tolerance).sqrt().ceil();
-            // A tolerance below the digits of the points asks for no more than is useful.
-            let steps = if wanted.is_finite() {
-                wanted.clamp(1.0, 1024.0)
-            } else {
-                1.0
-            };
-            let mut step = 1.0;
-            while step <= steps {
-                places.push(place(cubic, step / steps));
-                step += 1.0;
-            }
-        }
-        if self.closed {
-            places.pop();
-        }
-        places
+        polyline(&self.cubics, self.closed, tolerance)
     }
+}
+
+/// Points in order along cubics end to end, whose polyline is nowhere farther from them than a
+/// tolerance above 0. Closed ones do not repeat their first point.
+///
+/// Source of the number of points: G. Wang, 1984, after L. Goldman, *Graphics Gems*.
+///
+/// ```
+/// use curvecrust_denoise::polyline;
+/// use curvecrust_geometry::DVec2;
+///
+/// let line = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0)].map(DVec2::from);
+/// assert_eq!(polyline(&[line], false, 0.1), [line[0], line[3]]);
+/// ```
+#[must_use]
+pub fn polyline(cubics: &[[DVec2; 4]], closed: bool, tolerance: f64) -> Vec<DVec2> {
+    let mut places: Vec<DVec2> = cubics.first().map(|c| c[0]).into_iter().collect();
+    for &cubic in cubics {
+        let [a, b, c, d] = cubic;
+        let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
+        let wanted = (0.75 * bend / tolerance).sqrt().ceil();
+        // A tolerance below the digits of the points asks for no more than is useful.
+        let steps = if wanted.is_finite() {
+            wanted.clamp(1.0, 1024.0)
+        } else {
+            1.0
+        };
+        let mut step = 1.0;
+        while step <= steps {
+            places.push(place(cubic, step / steps));
+            step += 1.0;
+        }
+    }
+    if closed {
+        places.pop();
+    }
+    places
 }
 
 fn place([a, b, c, d]: [DVec2; 4], t: f64) -> DVec2 {

@@ -52,7 +52,7 @@ mod window;
 
 pub use denoise::{denoise, denoise_with};
 pub use error::DenoiseError;
-pub use fitted::{Fitted, FittedCurve, Place};
+pub use fitted::{Fitted, FittedCurve, Place, polyline};
 pub use options::Options;
 
 /// The example of the README is a test too.

@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 
+use curvecrust_geometry::Interrupt;
 use curvecrust_reconstruct::Shape;
 
 use crate::area::hull_area;
@@ -32,6 +33,7 @@ pub(crate) fn refined(
     sigma: Option<f64>,
     known: &Options,
 ) -> Model {
+    let interrupt = Interrupt::current();
     let mut left = TRIALS;
     'again: loop {
         let mut changes = cuts(points, &best);
@@ -42,6 +44,7 @@ pub(crate) fn refined(
                 return best;
             }
             left -= 1;
+            interrupt.check();
             let found = model(points, &change.guides, sigma);
             let found = found.filter(|found| {
                 found.score > best.score && (agrees(found, known) || !agrees(&best, known))

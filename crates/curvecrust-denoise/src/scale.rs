@@ -10,6 +10,8 @@
 use glam::DVec2;
 use rayon::prelude::*;
 
+use curvecrust_geometry::Interrupt;
+
 use crate::robust::median;
 use crate::tree::Tree;
 
@@ -33,9 +35,13 @@ struct Neighbourhood {
 /// `alarms` is the number of round neighbourhoods among all that may pass for strokes.
 pub(crate) fn scales(points: &[DVec2], tree: &Tree, alarms: f64) -> Vec<Option<f64>> {
     let threshold = (alarms / (TESTS * points.len() as f64)).ln().min(-1.0);
+    let interrupt = Interrupt::current();
     let around: Vec<Neighbourhood> = points
         .par_iter()
-        .map(|&p| neighbourhood(points, tree, p, threshold))
+        .map(|&p| {
+            interrupt.check();
+            neighbourhood(points, tree, p, threshold)
+        })
         .collect();
     around
         .par_iter()

@@ -8,6 +8,7 @@ mod arrays;
 mod curve;
 mod errors;
 mod evaluate;
+mod fit;
 mod lfs;
 mod methods;
 mod module;

@@ -8,6 +8,8 @@ mod _curvecrust {
     #[pymodule_export]
     use crate::evaluate::evaluate;
     #[pymodule_export]
+    use crate::fit::{fit, polyline};
+    #[pymodule_export]
     use crate::lfs::{check, lfs, medial_axis};
     #[pymodule_export]
     use crate::methods::methods;

@@ -30,8 +30,8 @@ pub(crate) struct Told {
 }
 
 /// The points that are reconstructed, and where they stand in what was given.
-struct Input {
-    points: PointSet,
+pub(crate) struct Input {
+    pub(crate) points: PointSet,
     /// The row of every point; empty where nothing was merged.
     rows: Vec<usize>,
     /// The point of every row; empty where nothing was merged.
@@ -39,7 +39,7 @@ struct Input {
 }
 
 impl Input {
-    fn new(points: Vec<DVec2>, merge_within: Option<f64>) -> PyResult<Self> {
+    pub(crate) fn new(points: Vec<DVec2>, merge_within: Option<f64>) -> PyResult<Self> {
         let Some(distance) = merge_within else {
             return Ok(Self {
                 points: PointSet::new(points).map_err(value_error)?,
@@ -55,7 +55,14 @@ impl Input {
         })
     }
 
-    fn row(&self, id: PointId) -> i64 {
+    /// The point of a row, of which there are as many as points were given.
+    pub(crate) fn id(&self, row: usize) -> PointId {
+        let id = self.ids.get(row).copied().or(PointId::new(row));
+        // Points that are more than such ids hold are refused before.
+        id.unwrap_or(PointId::from(u32::MAX))
+    }
+
+    pub(crate) fn row(&self, id: PointId) -> i64 {
         int(self.rows.get(id.index()).copied().unwrap_or(id.index()))
     }
 

@@ -6,6 +6,8 @@
 
 use glam::DVec2;
 
+use curvecrust_geometry::Interrupt;
+
 use super::banded::Banded;
 use super::basis::{Row, Spline, controls_of, row};
 use super::nearest::{Samples, follow};
@@ -123,7 +125,9 @@ pub(crate) fn fit(guide: &Guide, points: &[DVec2], sigma: Option<f64>) -> Option
     let mut weights = vec![1.0; points.len()];
     let mut last: Option<Fit> = None;
     let mut level: Option<i32> = None;
+    let interrupt = Interrupt::current();
     for round in 0..ROUNDS {
+        interrupt.check();
         if round > 0 {
             penalty.adapt(&spline.controls);
             follow(&samples, points, &mut parameters);

@@ -7,8 +7,9 @@
 True [0 2 1 3]
 
 `reconstruct` finds the curves that points come from, open and closed, `order` sorts points along
-one curve, and `sample` goes the other way, from a curve to the few samples that it can be
-reconstructed from. Nothing needs a parameter; what is known can be told.
+one curve, and `fit` fits smooth curves to points that scatter. `sample` goes the other way, from a
+curve to the few samples that it can be reconstructed from. Nothing needs a parameter; what is known
+can be told.
 
 Points are whatever numpy takes as an array of shape (n, 2): arrays, lists of pairs, complex
 numbers, data frames of two columns; also points of shapely and geopandas. Lengths are in the unit
@@ -26,6 +27,7 @@ from ._curvecrust import __version__
 if TYPE_CHECKING:
     from ._compare import Evaluation, compare, evaluate
     from ._curve import Check, Curve, Lfs, MedialAxis, Samples, check, lfs, medial_axis, sample
+    from ._fit import Fit, FittedCurve, fit
     from ._methods import Method, methods
     from ._reconstruct import find_curve_path, order, reconstruct
     from ._reconstruction import Path, Reasons, Reconstruction, Violations
@@ -34,6 +36,8 @@ __all__ = [
     "Check",
     "Curve",
     "Evaluation",
+    "Fit",
+    "FittedCurve",
     "Lfs",
     "MedialAxis",
     "Method",
@@ -47,6 +51,7 @@ __all__ = [
     "compare",
     "evaluate",
     "find_curve_path",
+    "fit",
     "lfs",
     "medial_axis",
     "methods",
@@ -68,6 +73,7 @@ _MODULES = {
         "medial_axis",
         "sample",
     ),
+    "_fit": ("Fit", "FittedCurve", "fit"),
     "_methods": ("Method", "methods"),
     "_reconstruct": ("find_curve_path", "order", "reconstruct"),
     "_reconstruction": ("Path", "Reasons", "Reconstruction", "Violations"),

@@ -14,9 +14,11 @@ __all__ = [
     "check",
     "evaluate",
     "explain",
+    "fit",
     "lfs",
     "medial_axis",
     "methods",
+    "polyline",
     "reconstruct",
     "run",
     "sample",
@@ -46,6 +48,10 @@ def reconstruct(
     progress: Callable[[int, int], None] | None,
 ) -> dict[str, Any]: ...
 def explain(points: NDArray[np.float64], told: dict[str, Any]) -> dict[str, Any] | None: ...
+def fit(points: NDArray[np.float64], told: dict[str, Any]) -> dict[str, Any]: ...
+def polyline(
+    controls: NDArray[np.float64], closed: bool, tolerance: float
+) -> dict[str, Any]: ...
 def violations(points: NDArray[np.float64], edges: NDArray[np.int64]) -> dict[str, Any]: ...
 def sample(
     curve: Curve, asked: dict[str, Any], progress: Callable[[int, int], None] | None

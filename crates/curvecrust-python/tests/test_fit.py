@@ -1,0 +1,64 @@
+"""Smooth curves of points that scatter."""
+
+import curvecrust
+import numpy as np
+import pytest
+
+
+def ring(n: int, sigma: float, seed: int = 1) -> np.ndarray:
+    random = np.random.default_rng(seed)
+    angles = random.uniform(0, 2 * np.pi, n)
+    circle = np.c_[np.cos(angles), np.sin(angles)]
+    return circle + sigma * random.normal(size=(n, 2))
+
+
+def test_every_array_has_its_shape() -> None:
+    points = np.r_[ring(300, 0.05), [[0.0, 0.0], [0.2, 0.1]]]
+    found = curvecrust.fit(points)
+    (curve,) = found.curves
+    k = len(curve.cubics)
+    assert curve.closed and curve.cubics.shape == (k, 4, 2)
+    assert curve.sigma.shape == curve.standard_error.shape == (k + 1,)
+    assert np.allclose(curve.cubics[1:, 0], curve.cubics[:-1, 3])
+    assert found.outliers.tolist() == [300, 301]
+    assert found.curve_of.shape == found.parameters.shape == found.distances.shape == (302,)
+    assert np.isnan(found.distances[300]) and not np.isnan(found.distances[0])
+    assert not found.clean and found.edges.shape == (0, 2)
+    assert 0.03 < found.sigma < 0.07
+    places = curve.points(1e-3)
+    assert abs(np.hypot(*places.T) - 1).max() < 0.08
+    assert repr(found) == "<Fit of 302 points: 1 closed and 0 open, 2 outliers>"
+
+
+def test_clean_points_have_the_edges_of_reconstruct() -> None:
+    angles = np.random.default_rng(4).permutation(60) * np.pi / 30
+    points = np.c_[np.cos(angles), np.sin(angles)]
+    found = curvecrust.fit(points)
+    assert found.clean and found.sigma == 0
+    assert np.array_equal(found.edges, curvecrust.reconstruct(points).edges)
+
+
+def test_equal_points_share_a_place() -> None:
+    points = ring(200, 0.05)
+    points = np.r_[points, points[:1]]
+    with pytest.raises(ValueError, match="200"):
+        curvecrust.fit(points)
+    found = curvecrust.fit(points, merge_within=0)
+    assert found.parameters[0] == found.parameters[200]
+
+
+def test_what_is_told_is_checked() -> None:
+    points = ring(200, 0.05)
+    assert not any(curve.closed for curve in curvecrust.fit(points, closed=False).curves)
+    with pytest.raises(ValueError, match="sigma"):
+        curvecrust.fit(points, sigma=-1)
+    with pytest.raises(ValueError, match="curves"):
+        curvecrust.fit(points, curves=0)
+    with pytest.raises(ValueError, match="tolerance"):
+        curvecrust.fit(points).curves[0].points(0)
+
+
+def test_points_all_over_the_place_form_no_curve() -> None:
+    points = np.random.default_rng(3).random((500, 2))
+    found = curvecrust.fit(points)
+    assert found.curves == [] and len(found.outliers) == 500
