@@ -16,6 +16,10 @@ pub(crate) enum Format {
     Geojson,
     /// Well-known text
     Wkt,
+    /// Exchange format of GPS receivers
+    Gpx,
+    /// Vertices of Wavefront
+    Obj,
     /// Drawing exchange format, of AutoCAD R12
     Dxf,
     /// Scalable vector graphics
@@ -34,6 +38,8 @@ impl Format {
             "json" => Self::Json,
             "geojson" => Self::Geojson,
             "wkt" => Self::Wkt,
+            "gpx" => Self::Gpx,
+            "obj" => Self::Obj,
             "dxf" => Self::Dxf,
             "svg" => Self::Svg,
             "npy" => Self::Npy,
@@ -49,6 +55,8 @@ impl Format {
             Self::Json => "json",
             Self::Geojson => "geojson",
             Self::Wkt => "wkt",
+            Self::Gpx => "gpx",
+            Self::Obj => "obj",
             Self::Dxf => "dxf",
             Self::Svg => "svg",
             Self::Npy => "npy",

@@ -72,7 +72,9 @@ pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
     let path = Path::new("fuzzed").with_extension(extension);
     let list = Source::new(io::Cursor::new(bytes))
         .map_err(Flaw::from)
-        .and_then(|source| points::read_source(source, Format::of_name(&path), None));
+        .and_then(|source| {
+            points::read_source(source, Format::of_name(&path), &points::Wanted::default())
+        });
     match list {
         Ok(list) => Ok(list.points.len()),
         Err(flaw) => {

@@ -4,15 +4,18 @@ mod columns;
 mod csv_records;
 mod flaw;
 mod geojson;
+mod gpx;
 mod json;
 mod json_text;
 mod npy;
+mod obj;
 mod quote;
 mod records;
 mod separator;
 mod svg;
 mod table;
 mod text_records;
+mod wkt;
 
 pub(crate) use columns::ColumnNames;
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
@@ -31,6 +34,9 @@ pub(crate) const FORMATS: &[Format] = &[
     Format::Text,
     Format::Json,
     Format::Geojson,
+    Format::Wkt,
+    Format::Gpx,
+    Format::Obj,
     Format::Npy,
     Format::Svg,
 ];
@@ -44,17 +50,26 @@ pub(crate) struct PointList {
     pub(crate) notes: Vec<String>,
 }
 
+/// What the user says about how points are read.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Wanted {
+    /// The columns of a table; `None`: those with names that are known.
+    pub(crate) columns: Option<ColumnNames>,
+    /// Whether vertices of lines and polygons are points.
+    pub(crate) vertices: bool,
+}
+
 /// Reads points, of which there must be at least one.
 ///
 /// The format is the one given, else that of the file's name, else what the content looks like.
 pub(crate) fn read(
     path: &Path,
     from: Option<Format>,
-    names: Option<&ColumnNames>,
+    wanted: &Wanted,
 ) -> Result<PointList, PointsError> {
     Source::open(path)
         .map_err(Flaw::from)
-        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path)), names))
+        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path)), wanted))
         .map_err(|flaw| PointsError::new(input::name(path), flaw))
 }
 
@@ -62,7 +77,7 @@ pub(crate) fn read(
 pub(crate) fn read_source(
     mut source: Source,
     format: Option<Format>,
-    names: Option<&ColumnNames>,
+    wanted: &Wanted,
 ) -> Result<PointList, Flaw> {
     let head = source.head();
     if head.is_empty() {
@@ -75,6 +90,7 @@ pub(crate) fn read_source(
         Some(format) => format,
         None => looks_like(&mut source)?,
     };
+    let names = wanted.columns.as_ref();
     if names.is_some() && !matches!(format, Format::Csv | Format::Text) {
         return Err(Problem::NoTable(format).into());
     }
@@ -82,8 +98,11 @@ pub(crate) fn read_source(
         Format::Csv => table::read(source, Separator::Byte(b','), names),
         Format::Text => table::read(source, Separator::WhiteSpace, names),
         Format::Npy => npy::read(source.into_reader()),
-        Format::Json => json::read(&source.into_bytes()?),
-        Format::Geojson => geojson::read(&source.into_bytes()?),
+        Format::Json => json::read(&source.into_bytes()?, wanted.vertices),
+        Format::Geojson => geojson::read(&source.into_bytes()?, wanted.vertices),
+        Format::Wkt => wkt::read(&source.into_bytes()?, wanted.vertices),
+        Format::Gpx => gpx::read(&source.into_bytes()?),
+        Format::Obj => obj::read(&source.into_bytes()?),
         Format::Svg => svg::read(&source.into_bytes()?),
         other => Err(Problem::Unreadable(other).into()),
     }?;
@@ -118,11 +137,35 @@ fn looks_like(source: &mut Source) -> Result<Format, Flaw> {
     let head = source.peek(|head| first_line(head).is_some())?;
     Ok(match first_line(head).unwrap_or_default() {
         [b'{' | b'[', ..] => Format::Json,
+        [b'<', ..] if contains(head, b"<gpx") => Format::Gpx,
         [b'<', ..] => Format::Svg,
+        [b'v', b' ', ..] => Format::Obj,
+        line if starts_geometry(line) => Format::Wkt,
         [0x93, b'N', ..] => Format::Npy,
         // What separates its columns is found as it is read.
         _ => Format::Text,
     })
+}
+
+fn contains(text: &[u8], part: &[u8]) -> bool {
+    text.windows(part.len()).any(|window| window == part)
+}
+
+/// Whether a line starts as well-known text does.
+fn starts_geometry(line: &[u8]) -> bool {
+    const NAMES: [&[u8]; 6] = [
+        b"POINT",
+        b"MULTI",
+        b"LINESTRING",
+        b"POLYGON",
+        b"GEOMETRYCOLLECTION",
+        b"SRID=",
+    ];
+    let starts = |name: &&[u8]| {
+        line.get(..name.len())
+            .is_some_and(|l| l.eq_ignore_ascii_case(name))
+    };
+    NAMES.iter().any(starts)
 }
 
 /// The first line that is neither empty nor a comment, or as much of it as is known.

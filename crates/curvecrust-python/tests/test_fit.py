@@ -1,8 +1,9 @@
 """Smooth curves of points that scatter."""
 
-import curvecrust
 import numpy as np
 import pytest
+
+import curvecrust
 
 
 def ring(n: int, sigma: float, seed: int = 1) -> np.ndarray:
@@ -17,13 +18,16 @@ def test_every_array_has_its_shape() -> None:
     found = curvecrust.fit(points)
     (curve,) = found.curves
     k = len(curve.cubics)
-    assert curve.closed and curve.cubics.shape == (k, 4, 2)
+    assert curve.closed
+    assert curve.cubics.shape == (k, 4, 2)
     assert curve.sigma.shape == curve.standard_error.shape == (k + 1,)
     assert np.allclose(curve.cubics[1:, 0], curve.cubics[:-1, 3])
     assert found.outliers.tolist() == [300, 301]
     assert found.curve_of.shape == found.parameters.shape == found.distances.shape == (302,)
-    assert np.isnan(found.distances[300]) and not np.isnan(found.distances[0])
-    assert not found.clean and found.edges.shape == (0, 2)
+    assert np.isnan(found.distances[300])
+    assert not np.isnan(found.distances[0])
+    assert not found.clean
+    assert found.edges.shape == (0, 2)
     assert 0.03 < found.sigma < 0.07
     places = curve.points(1e-3)
     assert abs(np.hypot(*places.T) - 1).max() < 0.08
@@ -34,7 +38,8 @@ def test_clean_points_have_the_edges_of_reconstruct() -> None:
     angles = np.random.default_rng(4).permutation(60) * np.pi / 30
     points = np.c_[np.cos(angles), np.sin(angles)]
     found = curvecrust.fit(points)
-    assert found.clean and found.sigma == 0
+    assert found.clean
+    assert found.sigma == 0
     assert np.array_equal(found.edges, curvecrust.reconstruct(points).edges)
 
 
@@ -61,4 +66,5 @@ def test_what_is_told_is_checked() -> None:
 def test_points_all_over_the_place_form_no_curve() -> None:
     points = np.random.default_rng(3).random((500, 2))
     found = curvecrust.fit(points)
-    assert found.curves == [] and len(found.outliers) == 500
+    assert found.curves == []
+    assert len(found.outliers) == 500

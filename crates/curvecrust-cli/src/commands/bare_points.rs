@@ -3,7 +3,7 @@
 use crate::console::Console;
 use crate::format::Format;
 use crate::number::Number;
-use crate::points::{self, ColumnNames};
+use crate::points::{self, ColumnNames, Wanted};
 use crate::{args, args::Distance, input};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
@@ -16,8 +16,7 @@ pub(crate) struct PointSource {
     path: PathBuf,
     /// `None`: the format of the name, else of the content.
     format: Option<Format>,
-    /// The columns of a table; `None`: those with names that are known.
-    columns: Option<ColumnNames>,
+    wanted: Wanted,
     duplicates: Duplicates,
 }
 
@@ -63,6 +62,7 @@ impl PointSource {
             from,
             x,
             y,
+            vertices,
             merge_duplicates,
             merge_within,
         } = reading;
@@ -74,7 +74,10 @@ impl PointSource {
         Self {
             path,
             format: from,
-            columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
+            wanted: Wanted {
+                columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
+                vertices,
+            },
             duplicates,
         }
     }
@@ -88,7 +91,7 @@ impl PointSource {
     pub(crate) fn read(&self, console: &Console) -> anyhow::Result<BarePoints> {
         let name = self.name();
         let list = console.during(&format!("reading {name}"), |_| {
-            points::read(&self.path, self.format, self.columns.as_ref())
+            points::read(&self.path, self.format, &self.wanted)
         })?;
         let points::PointList {
             points: rows,

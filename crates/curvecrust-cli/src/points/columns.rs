@@ -19,7 +19,7 @@ pub(super) struct Columns {
 }
 
 /// Names of columns of x and of y that belong together, in small letters.
-const KNOWN: [[&[&str]; 2]; 3] = [
+pub(super) const KNOWN: [[&[&str]; 2]; 3] = [
     [&["x"], &["y"]],
     [&["lon", "lng", "long", "longitude"], &["lat", "latitude"]],
     [&["easting"], &["northing"]],

@@ -88,7 +88,7 @@ pub(crate) enum Problem {
     NoArray,
     #[error("the object has both `points` and `samples`: which?")]
     TwoArrays,
-    #[error("it holds a {0}: only Point and MultiPoint are points")]
+    #[error("it holds a {0}, which is no point: pass --vertices to take its vertices")]
     Geometry(String),
     #[error("the coordinates of a {0} have to be positions [x, y]")]
     Coordinates(String),
@@ -106,6 +106,12 @@ pub(crate) enum Problem {
     Truncated { rows: usize },
     #[error("the file goes on after the {rows} rows of its array")]
     Trailing { rows: usize },
+    #[error("this is no GPX document")]
+    NotGpx,
+    #[error("this is no well-known text")]
+    NotWkt,
+    #[error("this is no well-known text: {0}")]
+    Wkt(String),
     #[error("this is no SVG document")]
     NotSvg,
     #[error("{0}")]

@@ -1,13 +1,16 @@
 //! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s,
-//! in order, without their heights.
+//! in order, without their heights; the vertices of lines and polygons on request.
 
 use super::json_text::parse;
 use super::{Flaw, Place, PointList, Problem, in_double_range};
 use curvecrust::DVec2;
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
 
-pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
-    let mut positions = Positions::default();
+pub(super) fn read(bytes: &[u8], vertices: bool) -> Result<PointList, Flaw> {
+    let mut positions = Positions {
+        vertices,
+        ..Positions::default()
+    };
     match parse(bytes)? {
         GeoJson::Geometry(geometry) => positions.collect(&geometry)?,
         GeoJson::Feature(feature) => {
@@ -40,6 +43,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
 struct Positions {
     points: Vec<DVec2>,
     has_heights: bool,
+    /// Whether vertices count as points.
+    vertices: bool,
     /// The number of the feature that is being read, in a collection.
     feature: Option<usize>,
     /// The number of positions of this feature so far.
@@ -57,6 +62,21 @@ impl Positions {
             GeometryValue::GeometryCollection { geometries } => {
                 geometries.iter().try_for_each(|g| self.collect(g))
             }
+            GeometryValue::LineString { coordinates } if self.vertices => {
+                self.take_line(coordinates, "LineString")
+            }
+            GeometryValue::MultiLineString { coordinates } if self.vertices => {
+                let mut lines = coordinates.iter();
+                lines.try_for_each(|line| self.take_line(line, "MultiLineString"))
+            }
+            GeometryValue::Polygon { coordinates } if self.vertices => {
+                let mut rings = coordinates.iter();
+                rings.try_for_each(|ring| self.take_line(ring, "Polygon"))
+            }
+            GeometryValue::MultiPolygon { coordinates } if self.vertices => {
+                let mut rings = coordinates.iter().flatten();
+                rings.try_for_each(|ring| self.take_line(ring, "MultiPolygon"))
+            }
             other => {
                 let problem = Problem::Geometry(other.type_name().to_owned());
                 Err(match self.feature {
@@ -65,6 +85,15 @@ impl Positions {
                 })
             }
         }
+    }
+
+    /// The vertices of a line, of a closed one the first once.
+    fn take_line(&mut self, line: &[Position], of: &str) -> Result<(), Flaw> {
+        let line = match line {
+            [first, inner @ .., last] if first == last => &line[..=inner.len()],
+            line => line,
+        };
+        line.iter().try_for_each(|position| self.take(position, of))
     }
 
     fn take(&mut self, position: &Position, of: &str) -> Result<(), Flaw> {

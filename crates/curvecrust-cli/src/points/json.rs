@@ -1,12 +1,13 @@
-//! JSON: an array of `[x, y]`, or an object with such an array as `points` or `samples`, such as
-//! the program prints. An object with a `type` is GeoJSON. Where every point is `[x, y, z]`, z is
-//! left out.
+//! JSON: an array of `[x, y]` or of objects with `x` and `y`, or an object with such an array as
+//! `points` or `samples`, such as the program prints. An object with a `type` is GeoJSON. Where
+//! every point is `[x, y, z]`, z is left out.
 
+use super::columns::KNOWN;
 use super::json_text::parse;
 use super::{Flaw, PointList, Problem, geojson, in_double_range};
 use curvecrust::DVec2;
 use serde::Deserialize;
-use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 
 /// The keys of an object that are read.
@@ -31,13 +32,13 @@ enum Dimension {
     Three,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], vertices: bool) -> Result<PointList, Flaw> {
     let found: Points = if bytes.trim_ascii_start().starts_with(b"[") {
         parse(bytes)?
     } else {
         let object: Object = parse(bytes)?;
         match (object.r#type, object.points, object.samples) {
-            (Some(_), ..) => return geojson::read(bytes),
+            (Some(_), ..) => return geojson::read(bytes, vertices),
             (None, Some(points), None) | (None, None, Some(points)) => points,
             (None, None, None) => return Err(Problem::NoArray.into()),
             (None, Some(_), Some(_)) => return Err(Problem::TwoArrays.into()),
@@ -78,7 +79,7 @@ impl<'de> DeserializeSeed<'de> for Point<'_> {
     type Value = DVec2;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<DVec2, D::Error> {
-        deserializer.deserialize_seq(self)
+        deserializer.deserialize_any(self)
     }
 }
 
@@ -86,7 +87,7 @@ impl<'de> Visitor<'de> for Point<'_> {
     type Value = DVec2;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a point [x, y]")
+        f.write_str("a point [x, y] or an object of x and y")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<DVec2, A::Error> {
@@ -109,5 +110,26 @@ impl<'de> Visitor<'de> for Point<'_> {
             Some(_) => Err(more()),
             None => Ok(point),
         }
+    }
+
+    /// Of the pairs of names that columns of tables have, the first that is there.
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<DVec2, A::Error> {
+        let mut values = [[None; 2]; KNOWN.len()];
+        while let Some(key) = map.next_key::<String>()? {
+            let key = key.to_ascii_lowercase();
+            let pairs = KNOWN.iter().zip(&mut values);
+            let mut places = pairs.flat_map(|(names, values)| names.iter().zip(values));
+            match places.find(|(names, _)| names.contains(&&*key)) {
+                Some((_, value)) => *value = Some(map.next_value::<f64>()?),
+                None => drop(map.next_value::<IgnoredAny>()?),
+            }
+        }
+        self.0.get_or_insert(Dimension::Two);
+        let found = values.iter().find_map(|&[x, y]| x.zip(y));
+        let (x, y) = found.ok_or_else(|| {
+            A::Error::custom("an object of a point has x and y, or longitude and latitude")
+        })?;
+        let value = |value| in_double_range(value).map_err(A::Error::custom);
+        Ok(DVec2::new(value(x)?, value(y)?))
     }
 }

@@ -18,15 +18,7 @@ const DEEPEST: usize = 128;
 
 pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotSvg)?;
-    check_bounds(text).map_err(|error| Problem::Markup(error.to_string()))?;
-    let options = ParsingOptions {
-        allow_dtd: true,
-        ..ParsingOptions::default()
-    };
-    let document = Document::parse_with_options(text, options).map_err(|error| {
-        let at = error.pos();
-        Problem::Xml(error.to_string()).at(Place::Column(at.row.into(), at.col as usize))
-    })?;
+    let document = document(text)?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
         return Err(Problem::NotSvg.into());
@@ -44,6 +36,19 @@ pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
         drawing.centres
     };
     Ok(points.into())
+}
+
+/// The elements of a document that is not out of proportion.
+pub(super) fn document(text: &str) -> Result<Document<'_>, Flaw> {
+    check_bounds(text).map_err(|error| Problem::Markup(error.to_string()))?;
+    let options = ParsingOptions {
+        allow_dtd: true,
+        ..ParsingOptions::default()
+    };
+    Document::parse_with_options(text, options).map_err(|error| {
+        let at = error.pos();
+        Problem::Xml(error.to_string()).at(Place::Column(at.row.into(), at.col as usize))
+    })
 }
 
 #[derive(Default)]

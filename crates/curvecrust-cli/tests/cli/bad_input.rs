@@ -200,7 +200,8 @@ fn arrays_that_hold_no_points() {
 
 #[test]
 fn geojson_that_holds_no_points() {
-    let says = "p.geojson: it holds a LineString: only Point and MultiPoint are points";
+    let says =
+        "p.geojson: it holds a LineString, which is no point: pass --vertices to take its vertices";
     let line = r#"{"type": "LineString", "coordinates": [[1, 2], [3, 4]]}"#;
     assert_eq!(error("p.geojson", line), says);
     let feature = format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {line}}}"#);
@@ -330,7 +331,7 @@ fn numpy_arrays_that_hold_no_points() {
 fn formats_that_hold_no_points() {
     assert_eq!(
         error("p.dxf", "0\n"),
-        "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, npy or svg"
+        "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, obj, npy or svg"
     );
 }
 

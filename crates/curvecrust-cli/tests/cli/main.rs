@@ -17,6 +17,7 @@ mod formats;
 mod harness;
 #[cfg(target_os = "linux")]
 mod memory;
+mod point_files;
 mod processes;
 mod python;
 mod reconstruct;

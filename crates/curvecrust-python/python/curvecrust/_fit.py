@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -68,7 +69,7 @@ class Fit:
         cubics = found["controls"].reshape(-1, 4, 2)
         offsets = found["offsets"].tolist()
         curves = []
-        for k, (start, end) in enumerate(zip(offsets, offsets[1:], strict=False)):
+        for k, (start, end) in enumerate(pairwise(offsets)):
             # Each curve has one joint more than cubics.
             joints = slice(start + k, end + k + 1)
             curves.append(
@@ -89,8 +90,10 @@ class Fit:
 
     @property
     def clean(self) -> bool:
-        """Whether the points that are no outliers lie on their curves, which are then straight
-        between them: `reconstruct` is for such points."""
+        """Whether the points that are no outliers lie on their curves.
+
+        These are then straight between them: `reconstruct` is for such points.
+        """
         return bool(self._found["clean"])
 
     @property
@@ -107,8 +110,10 @@ class Fit:
 
     @property
     def parameters(self) -> Floats:
-        """For each point where it belongs: the cubic, and from 0 to 1 the place on it; nan for an
-        outlier. Sorted by them, the points of a curve are in order along it."""
+        """For each point where it belongs: the cubic, and from 0 to 1 the place on it.
+
+        It is nan for an outlier. Sorted by them, the points of a curve are in order along it.
+        """
         found: Floats = self._found["parameters"]
         return found
 

@@ -1,0 +1,29 @@
+//! Wavefront OBJ: the x and y of all vertices, which are lines of a `v` and numbers.
+
+use super::{Flaw, Place, PointList, Problem, coordinate, quoted};
+use curvecrust::DVec2;
+
+pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
+    let mut points = Vec::new();
+    let mut has_heights = false;
+    for (line, text) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
+        let mut words = text
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty());
+        if words.next() != Some(b"v") {
+            continue;
+        }
+        let place = Place::Line(line);
+        let mut next = || {
+            let word = words
+                .next()
+                .ok_or_else(|| Problem::Short(quoted(text)).at(place))?;
+            coordinate(word, false).map_err(|problem| problem.at(place))
+        };
+        points.push(DVec2::new(next()?, next()?));
+        has_heights |= words
+            .next()
+            .is_some_and(|z| coordinate(z, false).is_ok_and(|z| z.abs() > 0.0));
+    }
+    Ok(PointList::with_heights(points, has_heights))
+}

@@ -1,0 +1,119 @@
+//! Points as other programs write them.
+
+use crate::harness::{Folder, json};
+use serde_json::json;
+
+/// The points that `reconstruct` reads, and what it says.
+fn read(name: &str, content: &str, options: &str) -> (serde_json::Value, String) {
+    let folder = Folder::with(name, content);
+    let run = folder.run(&format!("reconstruct {name} --json {options}"));
+    let stderr = run.stderr.clone();
+    (json(&run.fine())["points"].clone(), stderr)
+}
+
+fn error(name: &str, content: &str, options: &str) -> String {
+    let folder = Folder::with(name, content);
+    folder.run(&format!("reconstruct {name} {options}")).error()
+}
+
+#[test]
+fn well_known_text() {
+    let text = "POINT (1 2)\n# more\nMULTIPOINT Z ((3 4 5),\n (5 6 1))\n\
+                SRID=4326;GEOMETRYCOLLECTION (POINT EMPTY, POINT (7 8));\n";
+    let (points, said) = read("points.wkt", text, "");
+    assert_eq!(
+        points,
+        json!([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]])
+    );
+    assert!(said.contains("points.wkt: heights are left out"), "{said}");
+    // Without a name that tells.
+    assert_eq!(read("points", text, "").0, points);
+    let ring = "POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 2 1, 2 2, 1 1))";
+    assert_eq!(
+        error("ring.wkt", ring, ""),
+        "error: ring.wkt, line 1: it holds a POLYGON, which is no point: pass --vertices to take \
+         its vertices"
+    );
+    let (points, _) = read("ring.wkt", ring, "--vertices");
+    assert_eq!(points.as_array().unwrap().len(), 6);
+    let open = error("open.wkt", "\nPOINT (1 2\n", "");
+    assert_eq!(
+        open,
+        "error: open.wkt, line 2: this is no well-known text: a bracket is not closed"
+    );
+    let deep = format!(
+        "{}POINT (1 2){}",
+        "GEOMETRYCOLLECTION(".repeat(90),
+        ")".repeat(90)
+    );
+    assert!(error("deep.wkt", &deep, "").contains("brackets in brackets"));
+    let far = error("far.wkt", "POINT (1 2)\nPOINT (1e999 2)\n", "");
+    assert!(far.starts_with("error: far.wkt, line 2: "), "{far}");
+    let word = error("word.wkt", "POINT (1 two)\n", "");
+    assert!(
+        word.starts_with("error: word.wkt, line 1: this is no well-known"),
+        "{word}"
+    );
+}
+
+#[test]
+fn tracks() {
+    let track = r#"<?xml version="1.0"?><gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1">
+<wpt lat="48.1" lon="11.5"><ele>500</ele></wpt>
+<trk><trkseg><trkpt lat="48.2" lon="11.6"/><trkpt lat="48.3" lon="11.8"/></trkseg></trk></gpx>"#;
+    for name in ["track.gpx", "track"] {
+        let (points, said) = read(name, track, "");
+        assert_eq!(points, json!([[11.5, 48.1], [11.6, 48.2], [11.8, 48.3]]));
+        assert!(said.contains("lengths are in degrees"), "{said}");
+    }
+    let bad = track.replace("48.2", "north");
+    assert_eq!(
+        error("bad.gpx", &bad, ""),
+        "error: bad.gpx, line 3: `north` is not a number"
+    );
+    assert_eq!(
+        error("other.gpx", "<svg/>", ""),
+        "error: other.gpx: this is no GPX document"
+    );
+}
+
+#[test]
+fn vertices_of_models() {
+    let model = "# a square\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    for name in ["square.obj", "square"] {
+        let (points, said) = read(name, model, "");
+        assert_eq!(
+            points,
+            json!([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+        );
+        assert!(!said.contains("heights"), "{said}");
+    }
+    let short = error("short.obj", "v 1 2 3\nv 4\n", "");
+    assert_eq!(
+        short,
+        "error: short.obj, line 2: a point is x and y, but here is only `v 4`"
+    );
+}
+
+#[test]
+fn records() {
+    let text = r#"[{"id": 7, "Longitude": 1.5, "latitude": 2}, {"latitude": 4, "longitude": 3}]"#;
+    assert_eq!(
+        read("records.json", text, "").0,
+        json!([[1.5, 2.0], [3.0, 4.0]])
+    );
+    let lacking = error("lacking.json", r#"[{"x": 1, "y": 2}, {"x": 1}]"#, "");
+    assert!(
+        lacking.contains("an object of a point has x and y"),
+        "{lacking}"
+    );
+}
+
+#[test]
+fn vertices_of_geojson() {
+    let map = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",
+        "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]}}"#;
+    assert!(error("map.geojson", map, "").ends_with("pass --vertices to take its vertices"));
+    let (points, _) = read("map.geojson", map, "--vertices");
+    assert_eq!(points, json!([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]));
+}
