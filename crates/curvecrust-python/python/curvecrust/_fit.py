@@ -184,8 +184,8 @@ def fit(
     >>> angles = random.uniform(0, 2 * np.pi, 400)
     >>> circle = np.c_[np.cos(angles), np.sin(angles)]
     >>> found = curvecrust.fit(circle + 0.05 * random.normal(size=(400, 2)))
-    >>> found.curves
-    [<closed FittedCurve of 400 points>]
+    >>> [curve.closed for curve in found.curves]
+    [True]
     >>> radius = np.hypot(*found.curves[0].points(1e-3).T)
     >>> bool(abs(radius - 1).max() < 0.05 and abs(found.sigma - 0.05) < 0.01)
     True
