@@ -90,8 +90,8 @@ impl Curve {
     /// Each subpath that draws something is a component. It is closed by `Z` (with a straight
     /// segment if there is a gap), or if its ends meet within 1e-6 of its extent; the end is then
     /// put on the start. A `M` without a segment after it draws nothing and is no component.
-    /// Nor is a subpath of a single point. Elliptical arcs become cubics within 1e-10 of their larger
-    /// radius; the curvature of a circle is right within 1e-6.
+    /// Nor is a subpath of a single point. Elliptical arcs become cubics within 1e-10 of their
+    /// larger radius; the curvature of a circle is right within 1e-6.
     ///
     /// # Errors
     /// [`CurveError::PathData`] with the position, or what [`Curve::new`] finds.

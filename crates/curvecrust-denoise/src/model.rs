@@ -296,7 +296,8 @@ impl Model {
             .sum()
     }
 
-    /// The degrees of freedom of all curves. Each has a deviation and a share of the points besides.
+    /// The degrees of freedom of all curves. Each has a deviation and a share of the points
+    /// besides.
     fn freedom(&self) -> f64 {
         self.arcs.iter().map(|arc| arc.fit.freedom + 2.0).sum()
     }

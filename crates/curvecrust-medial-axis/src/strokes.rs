@@ -8,12 +8,12 @@ use crate::error::MedialAxisError;
 use crate::lfs::LocalFeatureSize;
 
 /// The strokes of a curve, of which each smooth piece [was measured](crate::measure_pieces): the
-/// components of the dense curve are those of the [strokes](SplitCurve::components), and a corner is
-/// one point.
+/// components of the dense curve are those of the [strokes](SplitCurve::components), and a corner
+/// is one point.
 ///
 /// With respect to a whole stroke lfs is 0 at a corner. Here it is what the pieces have: at the
-/// corner the smaller value of both. So a condition can hold on the intervals beside a corner, if it
-/// is a sample.
+/// corner the smaller value of both. So a condition can hold on the intervals beside a corner, if
+/// it is a sample.
 ///
 /// # Errors
 /// [`MedialAxisError::Dense`] if the measured curve is not that of these pieces.

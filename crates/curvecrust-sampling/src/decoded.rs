@@ -61,8 +61,8 @@ impl Default for DecodeOptions<'_> {
 }
 
 /// Samples the pieces of a curve as [`sample_split`](crate::sample_split) does, and adds samples
-/// near wrong edges until least detour returns exactly the manifold boundary; if that does not help,
-/// by 0.64 times the bound, and so on down to a quarter.
+/// near wrong edges until least detour returns exactly the manifold boundary; if that does not
+/// help, by 0.64 times the bound, and so on down to a quarter.
 ///
 /// Where components are [apart](SplitCurve::apart), they may touch and cross, where no algorithm
 /// for curves returns all of them together: each is looked at by itself.

@@ -1,8 +1,9 @@
 //! The shapes of an SVG document, as path data.
 //!
 //! The page reads what stands in its place already: paths, circles, ellipses, polygons, polylines
-//! and lines without transforms. It refuses the rest by name, and never shows another curve instead.
-//! The library reads whole documents; it did so by usvg, which would have made half of the module.
+//! and lines without transforms. It refuses the rest by name, and never shows another curve
+//! instead. The library reads whole documents; it did so by usvg, which would have made half of the
+//! module.
 
 use curvecrust::curve::Curve;
 use curvecrust::curve::svg::check_bounds;

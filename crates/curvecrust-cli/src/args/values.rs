@@ -35,8 +35,8 @@ pub(crate) enum Strokes {
     Auto,
     /// Refuse strokes that touch or cross, naming the place
     Together,
-    /// Cut strokes where they touch or cross: one runs through the place, the others end a hundredth
-    /// of the extent short of it
+    /// Cut strokes where they touch or cross: one runs through the place, the others end a
+    /// hundredth of the extent short of it
     Cut,
     /// Sample each stroke as if it were alone; no reconstruction of all together is promised
     Apart,
