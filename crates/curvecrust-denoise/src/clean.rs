@@ -122,7 +122,7 @@ fn lone(model: &Model) -> Vec<bool> {
                 let round = arc.fit.spline.closed && count > 2 * BESIDE;
                 let before = k.checked_sub(step).or(round.then(|| k + count - step));
                 let after = Some(k + step).filter(|&j| j < count);
-                [before, after.or(round.then(|| k + step - count))]
+                [before, after.or(round.then(|| (k + step) % count))]
             });
             let around: Vec<bool> = around.flatten().map(is_on).collect();
             let on = around.iter().filter(|&&on| on).count();
