@@ -7,7 +7,7 @@
 //!    touch where points of both are that near.
 //! 2. Of two strokes that touch, the one that ends there is cut; if both or none do, the later one.
 //! 3. What is cut off is all of it around the place that is nearer to the other stroke than the
-//! gap;    so strokes that lie on each other are drawn once.
+//!    gap; so strokes that lie on each other are drawn once.
 //! 4. The other stroke runs through the place, which becomes an end of two of its pieces, hence a
 //!    sample.
 //!

@@ -7,7 +7,7 @@
 //! document.
 //!
 //! - **Read** are paths and the basic shapes, with circles, ellipses and rounded corners by the
-//! same   arcs as in path data; `g`, `a`, `use`, `symbol`, `switch` and nested `svg` with their
+//!   same arcs as in path data; `g`, `a`, `use`, `symbol`, `switch` and nested `svg` with their
 //!   transforms, viewports and units; and `display` and `visibility`, by attributes and style
 //!   sheets. All is computed in double precision.
 //! - **Not part of the curve** is what SVG does not draw as a shape: hidden elements (`display`,
