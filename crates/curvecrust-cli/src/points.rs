@@ -139,7 +139,7 @@ fn looks_like(source: &mut Source) -> Result<Format, Flaw> {
         [b'{' | b'[', ..] => Format::Json,
         [b'<', ..] if contains(head, b"<gpx") => Format::Gpx,
         [b'<', ..] => Format::Svg,
-        [b'v', b' ', ..] => Format::Obj,
+        line if starts_vertex(line) => Format::Obj,
         line if starts_geometry(line) => Format::Wkt,
         [0x93, b'N', ..] => Format::Npy,
         // What separates its columns is found as it is read.
@@ -151,21 +151,33 @@ fn contains(text: &[u8], part: &[u8]) -> bool {
     text.windows(part.len()).any(|window| window == part)
 }
 
-/// Whether a line starts as well-known text does.
+/// Whether a line starts as well-known text does: with the name of a geometry, and what may follow
+/// it. A header of a table may start with such a name too.
 fn starts_geometry(line: &[u8]) -> bool {
-    const NAMES: [&[u8]; 6] = [
+    const NAMES: [&[u8]; 7] = [
         b"POINT",
-        b"MULTI",
+        b"MULTIPOINT",
         b"LINESTRING",
+        b"MULTILINESTRING",
         b"POLYGON",
+        b"MULTIPOLYGON",
         b"GEOMETRYCOLLECTION",
-        b"SRID=",
     ];
-    let starts = |name: &&[u8]| {
-        line.get(..name.len())
-            .is_some_and(|l| l.eq_ignore_ascii_case(name))
-    };
-    NAMES.iter().any(starts)
+    let line = line.to_ascii_uppercase();
+    let end = line.iter().position(|byte| !byte.is_ascii_uppercase());
+    let (name, rest) = line.split_at(end.unwrap_or(line.len()));
+    let rest = rest.trim_ascii_start();
+    let follows = [&b"("[..], b"Z", b"M", b"EMPTY"];
+    line.starts_with(b"SRID=")
+        || NAMES.contains(&name) && follows.iter().any(|start| rest.starts_with(start))
+}
+
+/// Whether a line is a vertex of Wavefront OBJ: a `v` and numbers.
+fn starts_vertex(line: &[u8]) -> bool {
+    let mut words = line
+        .split(u8::is_ascii_whitespace)
+        .filter(|w| !w.is_empty());
+    words.next() == Some(b"v") && words.next().is_some_and(|word| is_number(word, false))
 }
 
 /// The first line that is neither empty nor a comment, or as much of it as is known.

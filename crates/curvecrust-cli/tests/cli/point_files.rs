@@ -117,3 +117,11 @@ fn vertices_of_geojson() {
     let (points, _) = read("map.geojson", map, "--vertices");
     assert_eq!(points, json!([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]));
 }
+
+#[test]
+fn tables_whose_headers_look_like_geometries() {
+    for header in ["point x y", "v x y", "multiplier x y"] {
+        let table = format!("{header}\n7 1 2\n8 3 4\n");
+        assert_eq!(read("table", &table, "").0, json!([[1.0, 2.0], [3.0, 4.0]]));
+    }
+}
