@@ -4,7 +4,7 @@ mod fit;
 mod known;
 mod values;
 
-pub(crate) use fit::{Fit, Told};
+pub(crate) use fit::Fit;
 pub(crate) use known::Known;
 pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 

@@ -180,6 +180,14 @@ fn starts_vertex(line: &[u8]) -> bool {
     words.next() == Some(b"v") && words.next().is_some_and(|word| is_number(word, false))
 }
 
+/// The vertices of a line, of a closed one the first once.
+fn opened<T>(line: &[T], is_same: impl Fn(&T, &T) -> bool) -> &[T] {
+    match line {
+        [first, inner @ .., last] if is_same(first, last) => &line[..=inner.len()],
+        line => line,
+    }
+}
+
 /// The first line that is neither empty nor a comment, or as much of it as is known.
 fn first_line(head: &[u8]) -> Option<&[u8]> {
     let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);

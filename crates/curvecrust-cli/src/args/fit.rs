@@ -1,6 +1,8 @@
 //! The arguments of `curvecrust fit`.
 
+use super::known::shape;
 use super::{Output, Points};
+use curvecrust::denoise::Options;
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
@@ -49,4 +51,14 @@ pub(crate) struct Told {
     /// The standard deviation of the points from their curves, as a length; 0 if they lie on them
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub(crate) sigma: Option<f64>,
+}
+
+impl From<Told> for Options {
+    fn from(told: Told) -> Self {
+        Self {
+            shape: shape(told.closed, told.open),
+            curves: told.curves,
+            sigma: told.sigma,
+        }
+    }
 }

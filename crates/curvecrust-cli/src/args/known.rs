@@ -1,5 +1,6 @@
 //! What the user knows, as it was typed.
 
+use curvecrust::reconstruct::Shape;
 use std::num::NonZeroU32;
 
 /// What the user knows about the curves.
@@ -17,4 +18,19 @@ pub(crate) struct Known {
     /// The point at this position of the input, counted from 0, is the end of an open curve
     #[arg(long, value_name = "N")]
     pub(crate) terminus: Vec<u32>,
+}
+
+impl Known {
+    pub(crate) fn shape(&self) -> Option<Shape> {
+        shape(self.closed, self.open)
+    }
+}
+
+/// What `--closed` and `--open` say, which exclude each other.
+pub(super) fn shape(closed: bool, open: bool) -> Option<Shape> {
+    match (closed, open) {
+        (true, _) => Some(Shape::Closed),
+        (_, true) => Some(Shape::Open),
+        _ => None,
+    }
 }

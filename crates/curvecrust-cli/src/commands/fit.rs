@@ -10,7 +10,6 @@ use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results};
 use anyhow::ensure;
 use curvecrust::denoise::{Fitted, Options, denoise_with};
-use curvecrust::reconstruct::Shape;
 use result::{Found, Lines, Summary};
 
 /// The formats of fitted curves, the one of stdout first.
@@ -52,7 +51,7 @@ impl Job {
         Ok(Self {
             results: Results::new(args.output, args.json, FORMATS)?,
             points: args.points.into(),
-            options: options(&args.told),
+            options: args.told.into(),
             tolerance: args.tolerance,
             inliers: inliers.transpose()?,
         })
@@ -99,19 +98,6 @@ impl Job {
                 }
             }
         }
-    }
-}
-
-/// What the user knows.
-fn options(told: &args::Told) -> Options {
-    Options {
-        shape: match (told.closed, told.open) {
-            (true, _) => Some(Shape::Closed),
-            (_, true) => Some(Shape::Open),
-            _ => None,
-        },
-        curves: told.curves,
-        sigma: told.sigma,
     }
 }
 

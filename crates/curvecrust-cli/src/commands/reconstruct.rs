@@ -14,7 +14,7 @@ use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results, npy};
 use curvecrust::geometry::{EdgeSet, PointSet};
 use curvecrust::reconstruct::{
-    Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor, Shape,
+    Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor,
 };
 use result::Found;
 pub(crate) use result::paths;
@@ -108,11 +108,7 @@ impl Job {
 fn known(args: &args::Known, bare: &BarePoints) -> anyhow::Result<Known> {
     let termini = args.terminus.iter().map(|&row| bare.point(row));
     Ok(Known {
-        shape: match (args.closed, args.open) {
-            (true, _) => Some(Shape::Closed),
-            (_, true) => Some(Shape::Open),
-            _ => None,
-        },
+        shape: args.shape(),
         curves: args.curves,
         termini: termini.collect::<Result<_, _>>()?,
     })

@@ -2,7 +2,7 @@
 //! in order, without their heights; the vertices of lines and polygons on request.
 
 use super::json_text::parse;
-use super::{Flaw, Place, PointList, Problem, in_double_range};
+use super::{Flaw, Place, PointList, Problem, in_double_range, opened};
 use curvecrust::DVec2;
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
 
@@ -89,11 +89,8 @@ impl Positions {
 
     /// The vertices of a line, of a closed one the first once.
     fn take_line(&mut self, line: &[Position], of: &str) -> Result<(), Flaw> {
-        let line = match line {
-            [first, inner @ .., last] if first == last => &line[..=inner.len()],
-            line => line,
-        };
-        line.iter().try_for_each(|position| self.take(position, of))
+        let mut line = opened(line, |a, b| a == b).iter();
+        line.try_for_each(|position| self.take(position, of))
     }
 
     fn take(&mut self, position: &Position, of: &str) -> Result<(), Flaw> {

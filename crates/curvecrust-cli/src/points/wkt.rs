@@ -1,7 +1,7 @@
 //! Well-known text, by the crate of that name: the points of all geometries, one after the other in
 //! the text, without their heights; the vertices of lines and polygons on request.
 
-use super::{Flaw, Place, PointList, Problem, in_double_range, quoted};
+use super::{Flaw, Place, PointList, Problem, in_double_range, opened, quoted};
 use curvecrust::DVec2;
 use std::str::FromStr;
 use wkt::Wkt;
@@ -116,13 +116,9 @@ impl Found {
 
     /// The vertices of a line, of a closed one the first once.
     fn take_line(&mut self, line: &LineString<f64>) -> Result<(), Flaw> {
-        let coords = match line.coords() {
-            [first, inner @ .., last] if (first.x, first.y) == (last.x, last.y) => {
-                &line.coords()[..=inner.len()]
-            }
-            coords => coords,
-        };
-        coords.iter().try_for_each(|coord| self.take(coord))
+        let is_same = |a: &Coord<f64>, b: &Coord<f64>| (a.x, a.y) == (b.x, b.y);
+        let mut coords = opened(line.coords(), is_same).iter();
+        coords.try_for_each(|coord| self.take(coord))
     }
 
     fn take(&mut self, coord: &Coord<f64>) -> Result<(), Flaw> {

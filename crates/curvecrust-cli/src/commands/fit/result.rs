@@ -1,7 +1,7 @@
 //! Fitted curves as tables, objects and shapes.
 
 use super::BarePoints;
-use crate::commands::reconstruct::polygons::{Ring, rings};
+use crate::commands::reconstruct::polygons::{Ring, first_columns, rings};
 use crate::output::{Feature, Number, Places, Shape, Streamed};
 use curvecrust::denoise::{Fitted, FittedCurve};
 use curvecrust::geometry::{Edge, EdgeSet, MergedPoints, PointId, PointSet};
@@ -189,10 +189,7 @@ impl Lines {
     pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "chain,kind,nesting,point,x,y")?;
         for (number, chain) in self.curves.chains().iter().enumerate() {
-            let start = match chain.nesting {
-                Some(nesting) => format!("{number},ring,{nesting}"),
-                None => format!("{number},open,"),
-            };
+            let start = first_columns(number, chain);
             for &vertex in chain.chain.vertices() {
                 let p = self.vertices[vertex];
                 writeln!(out, "{start},,{},{}", Number(p.x), Number(p.y))?;
@@ -222,17 +219,7 @@ impl Lines {
 
     fn polygon(&self, rings: &[Ring]) -> Feature<'_, Properties> {
         let chains = self.curves.chains();
-        let ring = |ring: &Ring| {
-            let mut ids = chains[ring.hole.unwrap_or(ring.outside)]
-                .chain
-                .vertices()
-                .to_vec();
-            if ring.hole.is_some() {
-                // Rings run counter-clockwise, holes have to run clockwise.
-                ids[1..].reverse();
-            }
-            Places::named(&self.vertices, ids)
-        };
+        let ring = |ring: &Ring| Places::named(&self.vertices, ring.vertices(&self.curves));
         Feature {
             shape: Shape::Polygon(rings.iter().map(ring).collect()),
             properties: self.properties("ring", &chains[rings[0].outside]),

@@ -1,6 +1,8 @@
 //! Rings inside rings as polygons with holes.
 
+use curvecrust::geometry::PointId;
 use curvecrust::reconstruct::{NestedChain, Reconstruction};
+use std::borrow::Cow;
 
 /// A ring that belongs to a polygon; indices of chains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -9,6 +11,30 @@ pub(in super::super) struct Ring {
     pub(in super::super) outside: usize,
     /// Another one right inside it; `None` for the outside itself.
     pub(in super::super) hole: Option<usize>,
+}
+
+impl Ring {
+    /// Its vertices in the order that formats want: counter-clockwise outside, clockwise for holes.
+    pub(in super::super) fn vertices<'a>(&self, curves: &'a Reconstruction) -> Cow<'a, [PointId]> {
+        let chains = curves.chains();
+        match self.hole {
+            None => Cow::Borrowed(chains[self.outside].chain.vertices()),
+            // All rings of a reconstruction run counter-clockwise.
+            Some(hole) => {
+                let mut ids = chains[hole].chain.vertices().to_vec();
+                ids[1..].reverse();
+                Cow::Owned(ids)
+            }
+        }
+    }
+}
+
+/// The first columns of a chain in a table: its number, what it is, and its nesting if it is a ring.
+pub(in super::super) fn first_columns(number: usize, chain: &NestedChain) -> String {
+    match chain.nesting {
+        Some(nesting) => format!("{number},ring,{nesting}"),
+        None => format!("{number},open,"),
+    }
 }
 
 /// Every ring once, polygon by polygon in the order of their outsides, each outside before its

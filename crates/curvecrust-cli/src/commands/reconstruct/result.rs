@@ -1,7 +1,7 @@
 //! A reconstruction as tables, objects and shapes.
 
 use super::BarePoints;
-use super::polygons::{Ring, rings};
+use super::polygons::{Ring, first_columns, rings};
 use super::why;
 use crate::output::{Feature, Number, Path, Places, Shape, Streamed};
 use curvecrust::geometry::{Chain, PointId, PointSet};
@@ -123,10 +123,7 @@ impl Found<'_> {
     pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "chain,kind,nesting,point,x,y")?;
         for (number, chain) in self.curves.chains().iter().enumerate() {
-            let start = match chain.nesting {
-                Some(nesting) => format!("{number},ring,{nesting}"),
-                None => format!("{number},open,"),
-            };
+            let start = first_columns(number, chain);
             for &vertex in chain.chain.vertices() {
                 self.write_row(out, &start, vertex)?;
             }
@@ -181,17 +178,7 @@ impl Found<'_> {
     fn polygon(&self, rings: &[Ring]) -> Feature<'_, Properties<'_>> {
         let chains = self.curves.chains();
         let nesting = rings.first().and_then(|ring| chains[ring.outside].nesting);
-        let rings = || {
-            rings.iter().map(|ring| match ring.hole {
-                None => Cow::Borrowed(chains[ring.outside].chain.vertices()),
-                // Rings run counter-clockwise, holes have to run clockwise.
-                Some(hole) => {
-                    let mut ids = chains[hole].chain.vertices().to_vec();
-                    ids[1..].reverse();
-                    Cow::Owned(ids)
-                }
-            })
-        };
+        let rings = || rings.iter().map(|ring| ring.vertices(&self.curves));
         Feature {
             shape: Shape::Polygon(rings().map(|ids| self.places(ids)).collect()),
             properties: Properties {
