@@ -2,11 +2,10 @@
 
 use crate::arrays::{self, Arrays, int};
 use crate::errors::value_error;
-use crate::reconstruct::Input;
+use crate::reconstruct::{Input, shape};
 use crate::work::Run;
 use curvecrust::DVec2;
 use curvecrust::denoise::{Fitted, Options, denoise_with};
-use curvecrust::reconstruct::Shape;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -42,9 +41,7 @@ pub(crate) fn fit<'py>(
         progress: None,
     };
     let options = Options {
-        shape: told
-            .closed
-            .map(|closed| if closed { Shape::Closed } else { Shape::Open }),
+        shape: shape(told.closed),
         curves: told.curves,
         sigma: told.sigma,
     };

@@ -79,9 +79,7 @@ impl Input {
             })
         };
         Ok(Known {
-            shape: told
-                .closed
-                .map(|closed| if closed { Shape::Closed } else { Shape::Open }),
+            shape: shape(told.closed),
             curves: told.curves,
             termini: told.termini.iter().map(id).collect::<PyResult<_>>()?,
         })
@@ -93,6 +91,11 @@ impl Input {
         let pairs = rows.map(|(row, &id)| [int(row), self.row(id)]);
         pairs.filter(|[row, first]| row != first).collect()
     }
+}
+
+/// What is said about whether curves are closed.
+pub(crate) fn shape(closed: Option<bool>) -> Option<Shape> {
+    closed.map(|closed| if closed { Shape::Closed } else { Shape::Open })
 }
 
 /// Curves through points, as arrays of rows.

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _curvecrust
-from ._points import as_points
+from ._points import as_count, as_points
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -192,14 +192,10 @@ def fit(
     """
     told = {
         "closed": None if closed is None else bool(closed),
-        "curves": None if curves is None else int(curves),
+        "curves": None if curves is None else as_count(curves, "curves", 1),
         "sigma": None if sigma is None else float(sigma),
         "merge_within": None if merge_within is None else float(merge_within),
-        "threads": None if threads is None else int(threads),
+        "threads": None if threads is None else as_count(threads, "threads", 1),
     }
-    for name in ("curves", "threads"):
-        value = told[name]
-        if value is not None and value < 1:
-            raise ValueError(f"{name} must be at least 1, not {value}")
     array = as_points(points)
     return Fit(array, _curvecrust.fit(array, told))

@@ -1,7 +1,8 @@
-"""What a caller has for points, as an array of shape (n, 2)."""
+"""What a caller gives: points as an array of shape (n, 2), and counts."""
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -93,3 +94,11 @@ def _coordinates(data: Mapping[str, Any], name: str) -> Iterable[Any]:
                 yield from ring[:-1]
     else:
         raise TypeError(f"{name} are a geometry of type {kind!r}: give points")
+
+
+def as_count(value: Any, name: str, least: int) -> int:
+    """Return a number that counts something, at least `least`."""
+    count = operator.index(value)
+    if not least <= count < 2**32:
+        raise ValueError(f"{name} is {count}, but must be {least} or more")
+    return count

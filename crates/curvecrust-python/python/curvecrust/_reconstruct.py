@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterable
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _curvecrust
-from ._points import as_points
+from ._points import as_count, as_points
 from ._progress import listening
 from ._reconstruction import Reconstruction
 
@@ -80,10 +79,10 @@ def reconstruct(
     told = {
         "method": _text(method, "method"),
         "closed": None if closed is None else bool(closed),
-        "curves": None if curves is None else _count(curves, "curves", 1),
-        "termini": [_count(row, "termini", 0) for row in (() if termini is None else termini)],
+        "curves": None if curves is None else as_count(curves, "curves", 1),
+        "termini": [as_count(row, "termini", 0) for row in (() if termini is None else termini)],
         "merge_within": None if merge_within is None else float(merge_within),
-        "threads": None if threads is None else _count(threads, "threads", 1),
+        "threads": None if threads is None else as_count(threads, "threads", 1),
     }
     array = as_points(points)
     with listening(progress, "reconstructing") as listener:
@@ -147,10 +146,3 @@ def _text(value: Any, name: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, not {type(value).__name__}")
     return value
-
-
-def _count(value: Any, name: str, least: int) -> int:
-    count = operator.index(value)
-    if not least <= count < 2**32:
-        raise ValueError(f"{name} is {count}, but must be {least} or more")
-    return count
