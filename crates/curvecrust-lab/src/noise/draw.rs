@@ -1,50 +1,42 @@
-//! A picture of a fit: points, outliers, the truth in grey, the curves in red.
-
-use std::fmt::Write;
+//! A picture of a fit: the known curves in grey, the fitted ones over them, points, and outliers as
+//! rings.
 
 use curvecrust::denoise::Fitted;
 use curvecrust::geometry::DVec2;
+use svg::node::element::path::Data;
 
 use super::curves::{Truth, bounds};
 use super::sample::Sample;
+use crate::drawing::{Within, circle, document, path, polyline};
+
+/// The larger side of the data, and what is around them, in pixels.
+const SIZE: f64 = 600.0;
+const MARGIN: f64 = 20.0;
 
 pub(super) fn picture(truth: &[Truth], sample: &Sample, fitted: &Fitted) -> String {
     let (low, high) = bounds(&sample.points);
-    let scale = 600.0 / (high - low).max_element();
+    let scale = SIZE / (high - low).max_element();
     let to = |p: DVec2| {
-        let q = (p - low) * scale + DVec2::splat(20.0);
-        (q.x, 640.0 - q.y)
+        // Pages have y downwards.
+        let q = DVec2::new(p.x - low.x, high.y - p.y) * scale;
+        q + DVec2::splat(MARGIN)
     };
-    let mut svg = String::from(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='640' height='640'>\n<rect width='640' height='640' fill='white'/>\n",
-    );
-    let mut line = |points: &[DVec2], closed: bool, style: &str| {
-        let mut d = String::new();
-        for (i, &p) in points.iter().enumerate() {
-            let (x, y) = to(p);
-            let _ = write!(d, "{}{x:.1} {y:.1} ", if i == 0 { "M" } else { "L" });
-        }
-        let end = if closed { "Z" } else { "" };
-        let _ = writeln!(svg, "<path d='{d}{end}' fill='none' {style}/>");
-    };
-    for t in truth {
-        line(&t.points, t.closed, "stroke='#bbb' stroke-width='5'");
-    }
-    for c in &fitted.curves {
-        line(
-            &c.polyline(0.1 / scale),
-            c.closed,
-            "stroke='#d00' stroke-width='1.5'",
-        );
+    let lines = truth.iter().map(|t| ("curve", t.points.clone(), t.closed));
+    let curves = fitted.curves.iter();
+    let curves = curves.map(|c| ("edges", c.polyline(0.1 / scale), c.closed));
+    let size = (high - low) * scale + DVec2::splat(2.0 * MARGIN);
+    let mut picture = document("A fit", size, Within::File);
+    for (class, points, closed) in lines.chain(curves) {
+        let data = polyline(Data::new(), points.into_iter().map(to), closed);
+        picture = picture.add(path(class, data));
     }
     for (&p, place) in sample.points.iter().zip(&fitted.places) {
-        let (x, y) = to(p);
-        let colour = if place.is_some() { "#000" } else { "#28f" };
-        let _ = writeln!(
-            svg,
-            "<circle cx='{x:.1}' cy='{y:.1}' r='1.6' fill='{colour}'/>"
-        );
+        let (class, radius) = if place.is_some() {
+            ("point", 1.6)
+        } else {
+            ("leaf", 2.4)
+        };
+        picture = picture.add(circle(class, to(p), radius));
     }
-    svg.push_str("</svg>\n");
-    svg
+    format!("{picture}\n")
 }
