@@ -75,7 +75,10 @@ fn wave_on_an_arc(n: usize) -> Curve {
 /// Teeth four times as long as they are wide, with round ends.
 fn comb(n: usize) -> Curve {
     let tooth = ["v 4 a .5 .5 0 0 0 1 0", "v -4 a .5 .5 0 0 1 1 0"];
-    from_path("M 0 0", (0..n.div_ceil(9)).map(|i| tooth[i % 2].to_owned()))
+    from_path(
+        "M 0 0",
+        (0..n.div_ceil(27)).map(|i| tooth[i % 2].to_owned()),
+    )
 }
 
 /// A circle of radius 1 with waves of its radius, by `n` cubics.
@@ -108,22 +111,22 @@ fn spiral(n: usize) -> Curve {
 /// Circles of radius 1, their centres 3 apart.
 fn circles(n: usize) -> Curve {
     let ring = |i: usize| format!("M {} 0 a 1 1 0 0 0 2 0 a 1 1 0 0 0 -2 0 Z", 3 * i);
-    from_path("", (0..n.div_ceil(16)).map(ring))
+    from_path("", (0..n.div_ceil(52)).map(ring))
 }
 
-/// Rings, bars, hooks and rings inside rings, in lines of 60.
+/// Hooks, bars, rings inside rings and curls, in lines of 60.
 fn text(n: usize) -> Curve {
     const GLYPHS: [&str; 4] = [
-        "m 0 3 a 2 3 0 0 0 4 0 a 2 3 0 0 0 -4 0 Z m .8 0 a 1.2 2 0 0 1 2.4 0 a 1.2 2 0 0 1 -2.4 0 Z",
-        "m 1 1 v 5 a .5 .5 0 0 0 1 0 v -5 a .5 .5 0 0 0 -1 0 Z",
         "m 0 6 v -3 a 2 2 0 0 1 4 0 v 3",
+        "m 1 1 v 5 a .5 .5 0 0 0 1 0 v -5 a .5 .5 0 0 0 -1 0 Z",
+        "m 0 3 a 2 3 0 0 0 4 0 a 2 3 0 0 0 -4 0 Z m .8 0 a 1.2 2 0 0 1 2.4 0 a 1.2 2 0 0 1 -2.4 0 Z",
         "m 4 1 a 2 1 0 0 0 -2 -1 a 1.5 1.5 0 0 0 0 3 a 1.5 1.5 0 0 1 0 3 a 2 1 0 0 1 -2 -1",
     ];
     let glyph = |i: usize| {
         let kind = (i + i / 60 * 7) * 5 % 7 % 4;
         format!("M {} {} {}", i % 60 * 5, i / 60 * 10, GLYPHS[kind])
     };
-    from_path("", (0..n.div_ceil(21)).map(glyph))
+    from_path("", (0..n.div_ceil(66)).map(glyph))
 }
 
 /// A circle of radius 1 whose radius oscillates.
