@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use curvecrust_geometry::Interrupt;
 
 use crate::area::hull_area;
+use crate::evidence;
 use crate::scale::scales;
 use crate::tree::Tree;
 use crate::window::{Parabola, parabola};
@@ -20,19 +21,11 @@ const SUPPORT: f64 = 0.34;
 const SIEVES: usize = 2;
 /// The fewest points that are left.
 const FEWEST: usize = 5;
-/// The width of the band of a normal distribution that is as high as at its middle, in sigma:
-/// sqrt(2 pi e).
-const WIDTH: f64 = 4.13;
 /// How many times log n the evidence against the background must be.
 const EVIDENCE: f64 = 3.0;
-/// The least width of a band, in spacings along it.
-const THINNEST: f64 = 0.05;
-
 /// How a band is looked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Search {
-    /// See [`scales`].
-    pub(crate) alarms: f64,
     /// By how much windows are larger than their scale asks for.
     pub(crate) factor: f64,
     /// Whether points without support and those of the background are taken away.
@@ -53,27 +46,29 @@ pub(crate) struct Member {
     count: usize,
 }
 
-/// Finds the band; no member if the points form none.
-pub(crate) fn band(points: &[DVec2], search: &Search) -> Vec<Member> {
-    let mut alive: Vec<usize> = (0..points.len()).collect();
-    let mut window = Windows::new(points.to_vec(), search);
+/// Finds the band of points whose scales are known; no member if the points form none.
+pub(crate) fn band(all: &Windows, search: &Search) -> Vec<Member> {
+    let mut alive: Vec<usize> = (0..all.points.len()).collect();
+    let mut sieved: Option<Windows> = None;
     if search.sieve {
         for _ in 0..SIEVES {
-            let stays = window.supported();
+            let windows = sieved.as_ref().unwrap_or(all);
+            let stays = windows.supported(search.factor);
             let left: Vec<usize> = (0..alive.len()).filter(|&i| stays[i]).collect();
             if left.len() == alive.len() || left.len() < 2 * FEWEST {
                 break;
             }
             alive = left.iter().map(|&i| alive[i]).collect();
-            window = Windows::new(alive.iter().map(|&i| points[i]).collect(), search);
+            let points = alive.iter().map(|&i| all.points[i]).collect();
+            sieved = Some(Windows::new(points, all.alarms));
         }
     }
-    let mut members = window.members();
+    let mut members = sieved.as_ref().unwrap_or(all).members(search.factor);
     for member in &mut members {
         member.index = alive[member.index];
     }
     if search.sieve {
-        members = above_background(points, members);
+        members = above_background(&all.points, members);
     }
     if members.len() < FEWEST {
         members.clear();
@@ -81,42 +76,48 @@ pub(crate) fn band(points: &[DVec2], search: &Search) -> Vec<Member> {
     members
 }
 
-/// Points and the windows about them.
-struct Windows {
-    points: Vec<DVec2>,
-    tree: Tree,
-    radii: Vec<Option<f64>>,
+/// Points, and the scale of each, as wide as the window about it has to be.
+pub(crate) struct Windows {
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) tree: Tree,
+    scales: Vec<Option<f64>>,
+    alarms: f64,
 }
 
 impl Windows {
-    fn new(points: Vec<DVec2>, search: &Search) -> Self {
+    /// With as many false alarms as [`scales`] is told.
+    pub(crate) fn new(points: Vec<DVec2>, alarms: f64) -> Self {
         let tree = Tree::new(&points);
-        let radii = scales(&points, &tree, search.alarms);
-        let scaled = |r: Option<f64>| r.map(|r| r * search.factor).filter(|&r| r > 0.0);
-        let radii = radii.into_iter().map(scaled).collect();
+        let scales = scales(&points, &tree, alarms);
         Self {
             points,
             tree,
-            radii,
+            scales,
+            alarms,
         }
     }
 
-    fn at(&self, i: usize) -> Option<(Vec<usize>, Parabola)> {
-        let radius = WINDOW * self.radii[i]?;
+    /// The radius of a point for windows that are larger by a factor.
+    fn radius(&self, i: usize, factor: f64) -> Option<f64> {
+        self.scales[i].map(|r| r * factor).filter(|&r| r > 0.0)
+    }
+
+    fn at(&self, i: usize, factor: f64) -> Option<(Vec<usize>, Parabola)> {
+        let radius = WINDOW * self.radius(i, factor)?;
         let members = self.tree.within(self.points[i], radius);
         let found = parabola(&self.points, &members, self.points[i], radius)?;
         Some((members, found))
     }
 
     /// Whether each point has a scale and enough of the windows that see it support it.
-    fn supported(&self) -> Vec<bool> {
+    fn supported(&self, factor: f64) -> Vec<bool> {
         let count = self.points.len();
         let zeros = || (0..count).map(|_| AtomicU32::new(0)).collect::<Vec<_>>();
         let (seen, for_it) = (zeros(), zeros());
         let interrupt = Interrupt::current();
         (0..count).into_par_iter().for_each(|i| {
             interrupt.check();
-            let Some((members, found)) = self.at(i) else {
+            let Some((members, found)) = self.at(i, factor) else {
                 return;
             };
             // Sums of integers: the order of threads does not matter.
@@ -131,17 +132,17 @@ impl Windows {
         (0..count)
             .map(|i| {
                 let seen = load(&seen[i]);
-                self.radii[i].is_some() && seen > 0.0 && load(&for_it[i]) >= SUPPORT * seen
+                self.radius(i, factor).is_some() && seen > 0.0 && load(&for_it[i]) >= SUPPORT * seen
             })
             .collect()
     }
 
-    fn members(&self) -> Vec<Member> {
+    fn members(&self, factor: f64) -> Vec<Member> {
         let interrupt = Interrupt::current();
         let member = |i: usize| {
             interrupt.check();
-            let radius = self.radii[i]?;
-            let (members, found) = self.at(i)?;
+            let radius = self.radius(i, factor)?;
+            let (members, found) = self.at(i, factor)?;
             Some(Member {
                 index: i,
                 place: found.place,
@@ -166,8 +167,7 @@ fn above_background(points: &[DVec2], members: Vec<Member>) -> Vec<Member> {
         let density = (points.len() - kept + 1) as f64 / area;
         let is_dense = |m: &Member| {
             let (count, length) = (m.count as f64, 2.0 * WINDOW * m.radius);
-            let width = WIDTH * m.sigma.max(THINNEST * length / count);
-            count * ((count / length / width / density).ln() - 1.0) > EVIDENCE * log_n
+            evidence::of_band(count, length, m.sigma, density) > EVIDENCE * log_n
         };
         let next: Vec<bool> = members.iter().map(is_dense).collect();
         if next == stays {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use curvecrust_geometry::PointSet;
+use curvecrust_geometry::{EdgeSet, MergedPoints, PointSet};
 use curvecrust_reconstruct::{LeastDetour, Reconstructor};
 
 use crate::band::Member;
@@ -65,19 +65,24 @@ pub(crate) fn thinned(points: &[DVec2], members: &[Member]) -> Vec<Place> {
 
 /// The chains of least detour through the places, of three or more.
 pub(crate) fn chains(places: &[Place]) -> Vec<Chain> {
-    // Moved away from zero, below whose magnitude predicates lose digits.
-    let moved = places.iter().map(|p| p.at + DVec2::ONE).collect();
-    let Ok(merged) = PointSet::merging_duplicates(moved) else {
+    let Some(set) = as_set(places.iter().map(|p| p.at)) else {
         return Vec::new();
     };
-    let edges = LeastDetour.reconstruct(&merged.points);
+    chains_of(&LeastDetour.reconstruct(&set.points), |v| set.origin[v])
+}
+
+/// Points of the unit box as a set that algorithms take, in which equal ones are one.
+pub(crate) fn as_set(points: impl Iterator<Item = DVec2>) -> Option<MergedPoints> {
+    // Moved away from zero, below whose magnitude predicates lose digits.
+    let moved = points.map(|p| p + DVec2::ONE).collect();
+    PointSet::merging_duplicates(moved).ok()
+}
+
+/// The chains of edges that have three places or more; `place` gives that of a vertex.
+pub(crate) fn chains_of(edges: &EdgeSet, place: impl Fn(usize) -> usize) -> Vec<Chain> {
     let found = edges.chains().into_iter().map(|chain| Chain {
         closed: chain.is_closed(),
-        vertices: chain
-            .vertices()
-            .iter()
-            .map(|v| merged.origin[v.index()])
-            .collect(),
+        vertices: chain.vertices().iter().map(|v| place(v.index())).collect(),
     });
     found.filter(|chain| chain.vertices.len() >= 3).collect()
 }
@@ -230,15 +235,6 @@ impl Strip<'_> {
 /// beyond.
 pub(crate) fn guide(places: &[Place], chain: &Chain) -> Guide {
     let mut along: Vec<Place> = chain.vertices.iter().map(|&v| places[v]).collect();
-    let next = along.iter().cycle().skip(1);
-    let area: f64 = along
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.at.perp_dot(b.at))
-        .sum();
-    if chain.closed && area < 0.0 {
-        along.reverse();
-    }
     if let (false, [first, second, .., before, last]) = (chain.closed, &*along) {
         let beyond = |end: &Place, inner: &Place| Place {
             at: end.at + (end.at - inner.at).normalize_or_zero() * end.spacing,
@@ -248,10 +244,11 @@ pub(crate) fn guide(places: &[Place], chain: &Chain) -> Guide {
         along.insert(0, start);
         along.push(end);
     }
-    Guide {
+    let guide = Guide {
         vertices: along.iter().map(|p| p.at).collect(),
         spacing: along.iter().map(|p| p.spacing).collect(),
         sigma: along.iter().map(|p| p.sigma).collect(),
-        closed: chain.closed,
-    }
+        closed: false,
+    };
+    if chain.closed { guide.closed() } else { guide }
 }

@@ -5,14 +5,18 @@ use std::f64::consts::PI;
 use glam::DVec2;
 
 use curvecrust_geometry::{Chain, EdgeSet, PointSet};
-use curvecrust_reconstruct::{Known, LeastDetour, ReconstructError, Reconstructor};
+use curvecrust_reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 
+use crate::chain::as_set;
 use crate::model::{Assigned, Model};
 use crate::robust::{NORMAL, median};
 
 /// Points are clean whose residuals from the cubic through their neighbours have a deviation below
 /// this share of the spacing.
-pub(crate) const CLEAN: f64 = 0.05;
+const CLEAN: f64 = 0.05;
+/// Points are not clean if HNN-Crust sees them scatter by as many spacings. It is far faster than
+/// least detour on points that scatter, and sees a little more noise.
+const SCATTERED: f64 = 4.0 * CLEAN;
 /// A spike: a point whose removal takes this much of the turning about it, in radians,
 const SPIKE: f64 = 0.7;
 /// and leaves less than this share of it.
@@ -27,14 +31,23 @@ const BESIDE: usize = 3;
 const NEAR: f64 = 4.0;
 const ROUNDS: usize = 10;
 
-/// The edges of least detour through the points, as far as nothing is known that forbids them.
-pub(crate) fn edges(points: &PointSet, known: &Known) -> Result<EdgeSet, ReconstructError> {
-    LeastDetour.reconstruct_known(points, known)
+/// The edges of least detour through the points, if these lie on them.
+pub(crate) fn edges_if_clean(points: &PointSet) -> Option<EdgeSet> {
+    if noise(points, &HnnCrust::MUTUAL.reconstruct(points).chains()) >= SCATTERED {
+        return None;
+    }
+    let edges = LeastDetour.reconstruct(points);
+    (noise(points, &edges.chains()) < CLEAN).then_some(edges)
+}
+
+/// Whether any point stands out of the curves that edges form, or is on none.
+pub(crate) fn has_outliers(points: &PointSet, edges: &EdgeSet) -> bool {
+    !outliers(points.points(), edges, |_| false).is_empty()
 }
 
 /// The deviation of points from the cubics through their neighbours in a chain, in spacings;
 /// infinite of fewer than five such points.
-pub(crate) fn noise(points: &PointSet, chains: &[Chain]) -> f64 {
+fn noise(points: &PointSet, chains: &[Chain]) -> f64 {
     let mut residuals = Vec::new();
     for chain in chains {
         let along: Vec<DVec2> = chain.vertices().iter().map(|&v| points[v]).collect();
@@ -137,41 +150,43 @@ fn lone(model: &Model) -> Vec<bool> {
 fn without_spikes(points: &[DVec2], near: &[bool], mut stays: Vec<bool>) -> Option<Vec<bool>> {
     for _ in 0..ROUNDS {
         let ids: Vec<usize> = (0..points.len()).filter(|&i| stays[i]).collect();
-        // Moved away from zero, below whose magnitude predicates lose digits.
-        let moved = ids.iter().map(|&i| points[i] + DVec2::ONE).collect();
-        let set = PointSet::merging_duplicates(moved).ok()?;
-        let places: Vec<DVec2> = set.points.points().to_vec();
-        let found = edges(&set.points, &Known::default()).ok()?;
-        let outside = |i: usize| !near[ids[set.origin[i]]];
-        let usual = spacing(
-            &places,
-            found.edges().iter().map(|e| e.ends().map(|v| v.index())),
-        );
-        let mut dropped: Vec<usize> = found.isolated().iter().map(|v| v.index()).collect();
-        for chain in found.chains() {
-            let along: Vec<usize> = chain.vertices().iter().map(|v| v.index()).collect();
-            let out = along.iter().filter(|&&i| outside(i)).count();
-            let own = spacing(&places, along.windows(2).map(|w| [w[0], w[1]]));
-            if 2 * out > along.len() && (along.len() < 5 || own > SPARSE * usual) {
-                dropped.extend(along);
-                continue;
-            }
-            if along.len() < 5 {
-                continue;
-            }
-            dropped.extend(spikes(&places, &along, chain.is_closed()));
-            if !chain.is_closed() {
-                dropped.extend(loose_ends(&places, &along).filter(|&i| outside(i)));
-            }
-        }
+        let set = as_set(ids.iter().map(|&i| points[i]))?;
+        let found = LeastDetour.reconstruct(&set.points);
+        let id = |i: usize| ids[set.origin[i]];
+        let dropped = outliers(set.points.points(), &found, |i| !near[id(i)]);
         if dropped.is_empty() {
             break;
         }
         for i in dropped {
-            stays[ids[set.origin[i]]] = false;
+            stays[id(i)] = false;
         }
     }
     Some(stays)
+}
+
+/// The points that stand out of the chains of edges, and those without an edge; `is_outside` are
+/// the points far from the curves of the model.
+fn outliers(places: &[DVec2], edges: &EdgeSet, is_outside: impl Fn(usize) -> bool) -> Vec<usize> {
+    let pairs = edges.edges().iter().map(|e| e.ends().map(|v| v.index()));
+    let usual = spacing(places, pairs);
+    let mut dropped: Vec<usize> = edges.isolated().iter().map(|v| v.index()).collect();
+    for chain in edges.chains() {
+        let along: Vec<usize> = chain.vertices().iter().map(|v| v.index()).collect();
+        let outside = along.iter().filter(|&&i| is_outside(i)).count();
+        let own = spacing(places, along.windows(2).map(|w| [w[0], w[1]]));
+        if 2 * outside > along.len() && (along.len() < 5 || own > SPARSE * usual) {
+            dropped.extend(along);
+            continue;
+        }
+        if along.len() < 5 {
+            continue;
+        }
+        dropped.extend(spikes(places, &along, chain.is_closed()));
+        if !chain.is_closed() {
+            dropped.extend(loose_ends(places, &along).filter(|&i| is_outside(i)));
+        }
+    }
+    dropped
 }
 
 /// The median distance of pairs of places; 0 of none.
@@ -240,7 +255,7 @@ mod tests {
     #[test]
     fn a_circle_has_no_noise() {
         let points = PointSet::new(circle(40)).unwrap();
-        let found = edges(&points, &Known::default()).unwrap();
+        let found = LeastDetour.reconstruct(&points);
         // The fourth power of an eighth of a radian, and a share of it since chords stand for arcs.
         let noise = noise(&points, &found.chains());
         assert!(noise < 2e-3, "{noise}");

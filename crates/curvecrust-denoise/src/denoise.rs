@@ -1,21 +1,19 @@
 //! From points to curves: the steps in order.
 
-use glam::DVec2;
-
 use curvecrust_geometry::{PointSet, Similarity, point_set::by_coordinates};
-use curvecrust_reconstruct::{HnnCrust, LeastDetour, Reconstructor};
+use curvecrust_reconstruct::{Known, LeastDetour, Reconstructor};
 
-use crate::band::{Search, band};
-use crate::chain::{bridged, chains, guide, thinned};
-use crate::clean::{self, CLEAN};
+use crate::band::{Search, Windows, band};
+use crate::chain::{as_set, bridged, chains, guide, thinned};
+use crate::clean;
 use crate::convert;
 use crate::error::DenoiseError;
 use crate::fitted::Fitted;
+use crate::known::agreeing;
 use crate::model::{Model, model};
 use crate::options::Options;
 use crate::refine::refined;
 use crate::spline::Guide;
-use crate::tree::Tree;
 
 /// Fewer points than this are taken as clean: scatter cannot be told from a curve that bends.
 const FEWEST: usize = 16;
@@ -23,9 +21,6 @@ const FEWEST: usize = 16;
 const FACTORS: [f64; 4] = [0.75, 1.0, 1.4, 2.0];
 /// With more points than this the scale itself is good enough.
 const MANY: usize = 20_000;
-/// Points are not clean if HNN-Crust sees them scatter by as many spacings. It is far faster than
-/// least detour on points that scatter, and sees a little more noise.
-const SCATTERED: f64 = 4.0 * CLEAN;
 /// The least evidence of curves against points that form none. Such points, spread evenly, reach
 /// 0.4.
 const EVIDENCE: f64 = 0.5;
@@ -80,60 +75,42 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
     let all = vec![true; points.len()];
     let is_known_clean = options.sigma.is_some_and(|sigma| sigma <= 0.0);
     if points.len() < FEWEST || is_known_clean {
-        let edges = clean::edges(points, &options.known())?;
+        let edges = LeastDetour.reconstruct_known(points, &options.known())?;
+        return Ok(convert::clean(points, &all, edges));
+    }
+    let may_be_clean = options.sigma.is_none();
+    let even = may_be_clean
+        .then(|| clean::edges_if_clean(points))
+        .flatten();
+    let is_clean = even.is_some();
+    if let Some(edges) = even
+        && !clean::has_outliers(points, &edges)
+    {
+        let known = options.known();
+        let edges = match known == Known::default() {
+            true => edges,
+            false => LeastDetour.reconstruct_known(points, &known)?,
+        };
         return Ok(convert::clean(points, &all, edges));
     }
     let frame = Frame::new(points);
-    let may_be_clean = options.sigma.is_none();
-    let all_clean = may_be_clean && is_clean(&frame.points);
-    let even = all_clean
-        .then(|| clean::without_spikes_at_all(&frame.points))
-        .flatten();
-    if let Some(stays) = even.as_ref().filter(|stays| stays.iter().all(|&s| s)) {
-        return frame.clean(points, stays, options);
-    }
-    let Some((model, in_band)) = frame.best(options) else {
-        return match even {
-            Some(stays) => frame.clean(points, &stays, options),
-            None => Ok(convert::noisy(
-                points.len(),
-                &frame.order,
-                frame.to_unit,
-                None,
-            )),
-        };
+    let found = frame.best(options);
+    let stays = match &found {
+        Some((model, band)) => (is_clean || may_be_clean && frame.is_clean(band))
+            .then(|| clean::on_curves(&frame.all.points, band, model)),
+        None => is_clean.then(|| clean::without_spikes_at_all(&frame.all.points)),
     };
-    if may_be_clean {
-        let inside = frame.points.iter().zip(&in_band);
-        let inside: Vec<DVec2> = inside.filter_map(|(&p, &b)| b.then_some(p)).collect();
-        if (all_clean || is_clean(&inside))
-            && let Some(stays) = clean::on_curves(&frame.points, &in_band, &model)
-        {
-            return frame.clean(points, &stays, options);
-        }
+    if let Some(stays) = stays.flatten() {
+        return frame.clean(points, &stays, options);
     }
+    let model = found.map(|(model, _)| model);
+    let count = points.len();
     Ok(convert::noisy(
-        points.len(),
+        count,
         &frame.order,
         frame.to_unit,
-        Some(&model),
+        model.as_ref(),
     ))
-}
-
-/// Whether most points lie on their curves.
-fn is_clean(points: &[DVec2]) -> bool {
-    // Moved away from zero, below whose magnitude predicates lose digits.
-    let moved = points.iter().map(|&p| p + DVec2::ONE).collect();
-    let Ok(merged) = PointSet::merging_duplicates(moved) else {
-        return false;
-    };
-    let noise = |algorithm: &dyn Reconstructor| {
-        clean::noise(
-            &merged.points,
-            &algorithm.reconstruct(&merged.points).chains(),
-        )
-    };
-    noise(&HnnCrust::MUTUAL) < SCATTERED && noise(&LeastDetour) < CLEAN
 }
 
 /// The points in the unit box, sorted by coordinates: what follows does not depend on their order.
@@ -141,7 +118,7 @@ struct Frame {
     to_unit: Similarity,
     /// The index of each point.
     order: Vec<usize>,
-    points: Vec<DVec2>,
+    all: Windows,
 }
 
 impl Frame {
@@ -154,8 +131,15 @@ impl Frame {
         Self {
             to_unit,
             order,
-            points,
+            all: Windows::new(points, 1.0),
         }
+    }
+
+    /// Whether the points of a band lie on curves.
+    fn is_clean(&self, band: &[bool]) -> bool {
+        let points = self.all.points.iter().zip(band);
+        let set = as_set(points.filter_map(|(&p, &b)| b.then_some(p)));
+        set.is_some_and(|set| clean::edges_if_clean(&set.points).is_some())
     }
 
     /// The result for points of which some, in the order of this frame, lie on their curves.
@@ -173,57 +157,64 @@ impl Frame {
         let left = left.filter_map(|(&p, &s)| s.then_some(p)).collect();
         // A part of a set of points is one.
         let left = PointSet::new(left).unwrap_or_default();
-        let edges = clean::edges(&left, &options.known())?;
+        let edges = LeastDetour.reconstruct_known(&left, &options.known())?;
         Ok(convert::clean(points, &stays, edges))
     }
 
     /// The model of the best score over several scales, and which points its band holds.
     fn best(&self, options: &Options) -> Option<(Model, Vec<bool>)> {
-        let factors = if self.points.len() > MANY {
-            &FACTORS[1..2]
-        } else {
-            &FACTORS[..]
+        let factors = match self.all.points.len() > MANY {
+            true => &FACTORS[1..2],
+            false => &FACTORS[..],
         };
         let sieved = factors.iter().map(|&factor| Search {
-            alarms: 1.0,
             factor,
             sieve: true,
         });
-        let tried = sieved.filter_map(|search| self.at(&search, options));
+        let tried = sieved.filter_map(|search| at(&self.all, &search, self.to_unit, options));
         let best = tried.max_by(|a, b| a.0.score.total_cmp(&b.0.score));
-        let relaxed = ALARMS.map(|alarms| Search {
-            alarms,
+        let relaxed = Search {
             factor: 1.0,
             sieve: false,
-        });
-        best.or_else(|| relaxed.iter().find_map(|search| self.at(search, options)))
-    }
-
-    fn at(&self, search: &Search, options: &Options) -> Option<(Model, Vec<bool>)> {
-        let members = band(&self.points, search);
-        if members.is_empty() {
-            return None;
-        }
-        let mut in_band = vec![false; self.points.len()];
-        for member in &members {
-            in_band[member.index] = true;
-        }
-        let places = thinned(&self.points, &members);
-        let tree = Tree::new(&self.points);
-        let chains = bridged(chains(&places), &places, &self.points, &tree);
-        let chains = crate::known::agreeing(chains, &places, options);
-        let scale = 1.0 / self.to_unit.invert_length(1.0);
-        let sigma = options.sigma.map(|sigma| sigma * scale);
-        let guides: Vec<Guide> = chains.iter().map(|chain| guide(&places, chain)).collect();
-        let found = model(&self.points, &guides, sigma)?;
-        let least = if search.sieve {
-            EVIDENCE
-        } else {
-            RELAXED_EVIDENCE
         };
-        if found.evidence < least {
-            return None;
-        }
-        Some((refined(&self.points, found, sigma, options), in_band))
+        best.or_else(|| {
+            ALARMS.iter().find_map(|&alarms| {
+                let all = Windows::new(self.all.points.clone(), alarms);
+                at(&all, &relaxed, self.to_unit, options)
+            })
+        })
     }
+}
+
+/// The model by one search, and which points its band holds.
+fn at(
+    all: &Windows,
+    search: &Search,
+    to_unit: Similarity,
+    options: &Options,
+) -> Option<(Model, Vec<bool>)> {
+    let points = &all.points;
+    let members = band(all, search);
+    if members.is_empty() {
+        return None;
+    }
+    let mut in_band = vec![false; points.len()];
+    for member in &members {
+        in_band[member.index] = true;
+    }
+    let places = thinned(points, &members);
+    let chains = bridged(chains(&places), &places, points, &all.tree);
+    let chains = agreeing(chains, &places, options);
+    let scale = 1.0 / to_unit.invert_length(1.0);
+    let sigma = options.sigma.map(|sigma| sigma * scale);
+    let guides: Vec<Guide> = chains.iter().map(|chain| guide(&places, chain)).collect();
+    let found = model(points, &guides, sigma)?;
+    let least = match search.sieve {
+        true => EVIDENCE,
+        false => RELAXED_EVIDENCE,
+    };
+    if found.evidence < least {
+        return None;
+    }
+    Some((refined(points, found, sigma, options), in_band))
 }

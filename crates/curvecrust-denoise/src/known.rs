@@ -1,11 +1,8 @@
 //! Chains that agree with what is known about the curves.
 
-use glam::DVec2;
-
-use curvecrust_geometry::PointSet;
 use curvecrust_reconstruct::{LeastDetour, Reconstructor, Shape};
 
-use crate::chain::{Chain, Place};
+use crate::chain::{Chain, Place, as_set, chains_of};
 use crate::options::Options;
 
 /// The chains as they are known to be: those with the most places, and if they still disagree, the
@@ -31,20 +28,11 @@ pub(crate) fn agreeing(mut chains: Vec<Chain>, places: &[Place], options: &Optio
         .flat_map(|c| c.vertices.iter().copied())
         .collect();
     used.sort_unstable();
-    let moved = used.iter().map(|&v| places[v].at + DVec2::ONE).collect();
-    let Ok(merged) = PointSet::merging_duplicates(moved) else {
+    let Some(set) = as_set(used.iter().map(|&v| places[v].at)) else {
         return chains;
     };
-    let Ok(edges) = LeastDetour.reconstruct_known(&merged.points, &options.known()) else {
-        return chains;
-    };
-    let found = edges.chains().into_iter().map(|chain| Chain {
-        closed: chain.is_closed(),
-        vertices: chain
-            .vertices()
-            .iter()
-            .map(|v| used[merged.origin[v.index()]])
-            .collect(),
-    });
-    found.filter(|chain| chain.vertices.len() >= 3).collect()
+    match LeastDetour.reconstruct_known(&set.points, &options.known()) {
+        Ok(edges) => chains_of(&edges, |v| used[set.origin[v]]),
+        Err(_) => chains,
+    }
 }

@@ -39,6 +39,7 @@ mod clean;
 mod convert;
 mod denoise;
 mod error;
+mod evidence;
 mod fitted;
 mod known;
 mod model;

@@ -6,6 +6,7 @@ use rstar::RTree;
 use rstar::primitives::{GeomWithData, Line};
 
 use crate::area::hull_area;
+use crate::evidence;
 use crate::spline::{Fit, Guide, Samples, fit};
 use crate::tree::Tree;
 
@@ -21,8 +22,6 @@ const FINEST: f64 = 1e-3;
 const DENSITY: f64 = 8.0;
 /// The fewest points of a curve.
 const FEWEST: usize = 6;
-/// The width of a normal distribution that is as high as at its middle, in sigma.
-const WIDTH: f64 = 4.13;
 /// The expected number of points beyond an end, when points scatter by one spacing:
 /// 1 / sqrt(2 pi).
 const BEYOND: f64 = 0.399;
@@ -69,22 +68,20 @@ pub(crate) fn model(points: &[DVec2], guides: &[Guide], sigma: Option<f64>) -> O
             enough.then(|| fit(guide, members, sigma)).flatten()
         })
         .collect();
-    let mut fits: Vec<Fit> = fits.into_iter().flatten().collect();
     let area = hull_area(points);
-    let mut model = assign(points, &fits)?;
+    let mut model = assign(points, fits.into_iter().flatten().collect())?;
     // A curve that the background explains as well goes, and its points are assigned anew.
     loop {
         let evidence = model.evidence_of_each(points.len(), area);
-        let mut stands = evidence.iter().map(|&e| e > 0.0);
-        let before = fits.len();
-        fits.retain(|_| stands.next().unwrap_or(false));
-        if fits.is_empty() {
-            return None;
-        }
-        if fits.len() == before {
+        if evidence.iter().all(|&e| e > 0.0) {
             break;
         }
-        model = assign(points, &fits)?;
+        let arcs = model
+            .arcs
+            .into_iter()
+            .zip(evidence)
+            .filter(|(_, e)| *e > 0.0);
+        model = assign(points, arcs.map(|(arc, _)| arc.fit).collect())?;
     }
     let (likelihood, freedom) = (model.likelihood(area), model.freedom());
     // What the points would have if they were spread evenly over their hull.
@@ -138,8 +135,9 @@ fn members_of(points: &[DVec2], guides: &[Guide]) -> Vec<Vec<DVec2>> {
     members
 }
 
-/// Assigns each point to the nearest curve, if it lies within the curve's spread.
-fn assign(points: &[DVec2], fits: &[Fit]) -> Option<Model> {
+/// Assigns each point to the nearest curve, if it lies within the curve's spread; `None` without
+/// curves.
+fn assign(points: &[DVec2], fits: Vec<Fit>) -> Option<Model> {
     let samples: Vec<Samples> = fits.iter().map(|f| Samples::of(&f.spline)).collect();
     let mut all = Vec::new();
     let mut of = Vec::new();
@@ -152,7 +150,7 @@ fn assign(points: &[DVec2], fits: &[Fit]) -> Option<Model> {
     }
     let tree = Tree::new(&all);
     let place = |p: &DVec2| {
-        let nearest = tree.nearest(*p).next().map_or(0, |(nearest, _)| nearest);
+        let nearest = tree.nearest_one(*p).unwrap_or(0);
         let (arc, sample) = of[nearest];
         let (parameter, distance) = samples[arc].refined(*p, sample);
         let parameter = fits[arc].spline.wrapped(parameter);
@@ -175,17 +173,14 @@ fn assign(points: &[DVec2], fits: &[Fit]) -> Option<Model> {
     };
     let assigned = nearest.iter().map(|&a| belongs(&a).then_some(a));
     let assigned: Vec<Option<Assigned>> = assigned.collect();
-    let arcs = fits.iter().enumerate().map(|(k, fit)| {
+    let arcs = fits.into_iter().enumerate().map(|(k, fit)| {
         let own = assigned.iter().flatten().filter(|a| a.arc == k);
-        let (from, to) = ends(fit, own.map(|a| a.parameter).collect());
-        Arc {
-            fit: fit.clone(),
-            from,
-            to,
-        }
+        let (from, to) = ends(&fit, own.map(|a| a.parameter).collect());
+        Arc { fit, from, to }
     });
+    let arcs = arcs.collect();
     Some(Model {
-        arcs: arcs.collect(),
+        arcs,
         assigned,
         nearest,
         score: f64::NEG_INFINITY,
@@ -263,10 +258,9 @@ impl Model {
                 if count < FEWEST {
                     return f64::NEG_INFINITY;
                 }
-                let (count, length) = (count as f64, arc.length());
-                let width = WIDTH * arc.fit.spread.common().max(0.05 * length / count);
-                let gain = (count / (length * width) / background).ln() - 1.0;
-                count * gain - arc.fit.freedom * log_n
+                let (length, sigma) = (arc.length(), arc.fit.spread.common());
+                let gain = evidence::of_band(count as f64, length, sigma, background);
+                gain - arc.fit.freedom * log_n
             })
             .collect()
     }
@@ -289,8 +283,7 @@ impl Model {
                     let arc = &self.arcs[a.arc];
                     let finest = FINEST / n * lengths[a.arc];
                     let sigma = arc.fit.spread.at(a.parameter).max(finest);
-                    let z = a.distance / sigma;
-                    along[a.arc] - 0.5 * z * z - (sigma * std::f64::consts::TAU.sqrt()).ln()
+                    along[a.arc] + evidence::log_normal(a.distance, sigma)
                 }
             })
             .sum()

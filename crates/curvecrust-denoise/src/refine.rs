@@ -9,6 +9,7 @@ use curvecrust_geometry::Interrupt;
 use curvecrust_reconstruct::Shape;
 
 use crate::area::hull_area;
+use crate::evidence;
 use crate::model::{Arc, Model, model};
 use crate::options::Options;
 use crate::spline::Guide;
@@ -116,8 +117,7 @@ fn cuts(points: &[DVec2], best: &Model) -> Vec<Change> {
         let arc = &best.arcs[place.arc];
         let sigma = arc.fit.spread.at(place.parameter).max(f64::MIN_POSITIVE);
         let along = counts[place.arc] as f64 / lengths[place.arc];
-        let z = place.distance / sigma;
-        let gain = (along / (sigma * std::f64::consts::TAU.sqrt()) / density).ln() - 0.5 * z * z;
+        let gain = along.ln() + evidence::log_normal(place.distance, sigma) - density.ln();
         gains[place.arc].push((place.parameter, gain));
     }
     let log_n = (points.len() as f64).ln();
@@ -207,19 +207,22 @@ fn joins(best: &Model) -> Vec<Change> {
         let own = guide(arc, arc.from, arc.to, false);
         let gap = gap_between(&own, &own);
         if gap <= REACH && own.vertices.len() > FEWEST {
-            let closed = closed(own.clone());
             changes.push(Change {
                 promise: -gap,
-                guides: instead(best, &[k], vec![closed]),
+                guides: instead(best, &[k], vec![own.clone().closed()]),
             });
         }
         for &(l, other) in &open[x + 1..] {
             let other = guide(other, other.from, other.to, false);
             for (a, b) in [(false, false), (false, true), (true, false), (true, true)] {
-                let (first, second) = (turned(&own, a), turned(&other, b));
+                let either = |guide: &Guide, is_turned: bool| match is_turned {
+                    true => guide.clone().turned(),
+                    false => guide.clone(),
+                };
+                let (first, second) = (either(&own, a), either(&other, b));
                 let gap = gap_between(&first, &second);
                 if gap <= REACH {
-                    let joined = joined(first, second);
+                    let joined = first.and_then(second);
                     changes.push(Change {
                         promise: -gap,
                         guides: instead(best, &[k, l], vec![joined]),
@@ -239,35 +242,4 @@ fn gap_between(first: &Guide, second: &Guide) -> f64 {
     let spacing = first.spacing.last().copied().unwrap_or(0.0);
     let spacing = spacing.max(second.spacing.first().copied().unwrap_or(0.0));
     a.distance(*b) / spacing
-}
-
-fn turned(guide: &Guide, is_turned: bool) -> Guide {
-    let mut guide = guide.clone();
-    if is_turned {
-        guide.vertices.reverse();
-        guide.spacing.reverse();
-        guide.sigma.reverse();
-    }
-    guide
-}
-
-fn joined(mut first: Guide, second: Guide) -> Guide {
-    first.vertices.extend(second.vertices);
-    first.spacing.extend(second.spacing);
-    first.sigma.extend(second.sigma);
-    first
-}
-
-/// A guide whose ends are joined, counter-clockwise.
-fn closed(guide: Guide) -> Guide {
-    let next = guide.vertices.iter().cycle().skip(1);
-    let area: f64 = guide
-        .vertices
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.perp_dot(*b))
-        .sum();
-    let mut guide = turned(&guide, area < 0.0);
-    guide.closed = true;
-    guide
 }

@@ -15,6 +15,12 @@ impl Tree {
         ))
     }
 
+    /// The nearest point; `None` without points.
+    pub(crate) fn nearest_one(&self, p: DVec2) -> Option<usize> {
+        let found = self.0.nearest_neighbor(p.to_array());
+        found.map(|item| item.data)
+    }
+
     /// The points by ascending distance, each with the square of it.
     pub(crate) fn nearest(&self, p: DVec2) -> impl Iterator<Item = (usize, f64)> + '_ {
         let found = self.0.nearest_neighbor_iter_with_distance_2(p.to_array());

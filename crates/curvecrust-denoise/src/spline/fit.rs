@@ -10,6 +10,7 @@ use curvecrust_geometry::Interrupt;
 
 use super::banded::Banded;
 use super::basis::{Row, Spline, controls_of, row};
+use super::guide::Guide;
 use super::nearest::{Samples, follow};
 use super::spread::Spread;
 use crate::robust::median;
@@ -45,16 +46,6 @@ impl Fit {
         let leverage = self.covariance.quadratic_form(row.columns, row.weights);
         self.spread.common() * leverage.max(0.0).sqrt()
     }
-}
-
-/// Where a spline starts from: a polyline and, at its vertices, how long an interval may be and how
-/// far points scatter.
-#[derive(Clone, Debug)]
-pub(crate) struct Guide {
-    pub(crate) vertices: Vec<DVec2>,
-    pub(crate) spacing: Vec<f64>,
-    pub(crate) sigma: Vec<f64>,
-    pub(crate) closed: bool,
 }
 
 /// The third differences of the control points, weighted.

@@ -1,10 +1,9 @@
 //! The parameter of the nearest place of a spline, by samples of it.
 
 use glam::DVec2;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
 
 use super::basis::Spline;
+use crate::tree::Tree;
 
 /// Samples an interval.
 const DENSITY: usize = 8;
@@ -34,12 +33,9 @@ impl Samples {
 
     /// The parameters nearest to points that may be anywhere.
     pub(crate) fn nearest_of_all(&self, points: &[DVec2]) -> Vec<f64> {
-        let item = |(i, p): (usize, &DVec2)| GeomWithData::new(p.to_array(), i);
-        let tree = RTree::bulk_load(self.places.iter().enumerate().map(item).collect());
+        let tree = Tree::new(&self.places);
         let nearest = |p: &DVec2| {
-            let sample = tree
-                .nearest_neighbor(p.to_array())
-                .map_or(0, |item| item.data);
+            let sample = tree.nearest_one(*p).unwrap_or(0);
             self.refined(*p, sample).0
         };
         points.iter().map(nearest).collect()
