@@ -29,7 +29,7 @@ impl Ring {
     }
 }
 
-/// The first columns of a chain in a table: its number, what it is, and its nesting if it is a ring.
+/// The first columns of a chain in a table: its number, what it is, and the nesting of a ring.
 pub(in super::super) fn first_columns(number: usize, chain: &NestedChain) -> String {
     match chain.nesting {
         Some(nesting) => format!("{number},ring,{nesting}"),
