@@ -43,7 +43,6 @@ pub mod rows;
 mod run;
 pub mod scale;
 mod seed;
-mod shortest_tour;
 pub mod tables;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! The algorithms by their names.
 
 use crate::errors::value_error;
-use curvecrust::reconstruct::{ALGORITHMS, Guarantee, Reconstructor};
+use curvecrust::reconstruct::{ALGORITHMS, Basis, Guarantee, Reconstructor};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -34,6 +34,9 @@ pub(crate) fn methods(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
         entry.set_item("guarantees", guarantees)?;
         entry.set_item("cost", info.cost)?;
         entry.set_item("takes_termini", info.honours_termini)?;
+        entry.set_item("takes_shape", info.honours_known)?;
+        entry.set_item("made_for", info.scope.to_string())?;
+        entry.set_item("argued", info.basis == Basis::Argued)?;
         list.append(entry)?;
     }
     Ok(list)

@@ -98,6 +98,21 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
     }
 }
 
+/// The edges of an algorithm that can be told about termini at most.
+pub(crate) fn reconstruct_termini_alone(
+    algorithm: &dyn Reconstructor,
+    points: &PointSet,
+    known: &Known,
+) -> Result<EdgeSet, ReconstructError> {
+    if known.is_of_termini_alone() {
+        algorithm.reconstruct_open(points, &known.termini)
+    } else {
+        Err(ReconstructError::KnownNotHonoured {
+            algorithm: algorithm.info().name,
+        })
+    }
+}
+
 /// What is known about an algorithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -114,10 +129,97 @@ pub struct AlgorithmInfo {
     pub cost: &'static str,
     /// Whether [`Reconstructor::reconstruct_open`] takes termini.
     pub honours_termini: bool,
+    /// Whether [`Reconstructor::reconstruct_known`] can be told the shape of the curves.
+    pub honours_known: bool,
+    /// The curves that it is made for.
+    pub scope: Scope,
+    /// Where its definition is from.
+    pub basis: Basis,
+}
+
+/// The curves that an algorithm is made for: on others it may still be right, by chance.
+///
+/// ```
+/// use curvecrust_reconstruct::{HnnCrust, Reconstructor};
+///
+/// let scope = HnnCrust::MUTUAL.info().scope;
+/// assert!(scope.open && !scope.crossings);
+/// assert_eq!(scope.to_string(), "closed, open, several, corners");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Scope {
+    /// Closed curves.
+    pub closed: bool,
+    /// Curves with ends.
+    pub open: bool,
+    /// More than one curve.
+    pub several: bool,
+    /// Curves with corners.
+    pub corners: bool,
+    /// Curves that cross.
+    pub crossings: bool,
+}
+
+impl Scope {
+    /// Several closed curves.
+    pub(crate) const CLOSED: Self = Self {
+        closed: true,
+        open: false,
+        several: true,
+        corners: false,
+        crossings: false,
+    };
+    /// Several curves, closed or open.
+    pub(crate) const CLOSED_AND_OPEN: Self = Self {
+        open: true,
+        ..Self::CLOSED
+    };
+
+    pub(crate) const fn with_corners(self) -> Self {
+        Self {
+            corners: true,
+            ..self
+        }
+    }
+
+    /// The same kinds of curves, but one alone.
+    pub(crate) const fn of_one_curve(self) -> Self {
+        Self {
+            several: false,
+            ..self
+        }
+    }
+}
+
+/// The kinds of curves in words.
+impl fmt::Display for Scope {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kinds = [
+            (self.closed, "closed"),
+            (self.open, "open"),
+            (self.several, "several"),
+            (self.corners, "corners"),
+            (self.crossings, "crossings"),
+        ];
+        let named = kinds.iter().filter(|kind| kind.0).map(|kind| kind.1);
+        f.pad(&named.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// Where the definition of an algorithm is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Basis {
+    /// From the publication.
+    Published,
+    /// From what others wrote of the publication, which could not be had: its idea is kept,
+    /// constants and order of steps may differ.
+    Argued,
 }
 
 impl AlgorithmInfo {
-    /// An algorithm without guarantees that does not take termini.
+    /// An algorithm without guarantees, for closed curves, that cannot be told anything.
     #[must_use]
     pub const fn new(name: &'static str, citation: &'static str, cost: &'static str) -> Self {
         Self {
@@ -126,6 +228,9 @@ impl AlgorithmInfo {
             guarantees: &[],
             cost,
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         }
     }
 }

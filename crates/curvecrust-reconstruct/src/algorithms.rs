@@ -1,13 +1,27 @@
 //! The list of algorithms.
 
 use crate::algorithm::Reconstructor;
+use crate::alpha_shape::AlphaShape;
 use crate::beta_skeleton::BetaSkeleton;
+use crate::connect2d::Connect2d;
+use crate::conservative_crust::ConservativeCrust;
+use crate::crawl::Crawl;
 use crate::crust::Crust;
+use crate::discur::Discur;
+use crate::gathan::Gathan;
+use crate::gathan_g::GathanG;
 use crate::hnn_crust::HnnCrust;
 use crate::least_detour::LeastDetour;
+use crate::lenz::Lenz;
 use crate::nn_crust::NnCrust;
+use crate::normalised_mesh::NormalisedMesh;
 use crate::one_step_crust::OneStepCrust;
+use crate::peel::Peel;
+use crate::shortest_tour::ShortestTour;
+use crate::sig_connect2d::SigConnect2d;
+use crate::spanning_tree::SpanningTree;
 use crate::sphere_of_influence::SphereOfInfluence;
+use crate::vicur::Vicur;
 
 /// Every algorithm of this crate, the recommended one first.
 ///
@@ -17,7 +31,7 @@ use crate::sphere_of_influence::SphereOfInfluence;
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::ALGORITHMS;
 ///
-/// let on_a_line = [0.0, 1.0, 2.5, 3.0].map(|x| DVec2::new(x, 2.0 * x));
+/// let on_a_line = [0.0, 1.0, 2.0, 3.0].map(|x| DVec2::new(x, 2.0 * x));
 /// let points = PointSet::new(on_a_line.to_vec())?;
 /// for algorithm in ALGORITHMS {
 ///     assert_eq!(algorithm.reconstruct(&points).len(), 3, "{}", algorithm.info().name);
@@ -33,13 +47,27 @@ pub const ALGORITHMS: &[&dyn Reconstructor] = &[
     &OneStepCrust,
     &BetaSkeleton::CRUST,
     &BetaSkeleton::GABRIEL,
+    &NormalisedMesh,
+    &AlphaShape::OWN,
     &SphereOfInfluence,
+    &SpanningTree,
+    &ConservativeCrust::LEAST,
+    &Gathan,
+    &GathanG,
+    &Lenz,
+    &Discur,
+    &Vicur,
+    &Crawl,
+    &Peel,
+    &Connect2d,
+    &SigConnect2d,
+    &ShortestTour,
 ];
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algorithm::{AlgorithmInfo, Guarantee};
+    use crate::algorithm::{AlgorithmInfo, Basis, Guarantee};
 
     #[test]
     fn the_crate_doc_lists_every_algorithm() {
@@ -49,14 +77,23 @@ mod tests {
                 [] => "none known".to_owned(),
                 some => some.join(", "),
             };
-            let termini = if info.honours_termini { "yes" } else { "no" };
+            let basis = match info.basis {
+                Basis::Published => "",
+                Basis::Argued => " (argued)",
+            };
+            let told = match (info.honours_known, info.honours_termini) {
+                (true, true) => "shape, number, termini",
+                (true, false) => "shape, number",
+                (false, true) => "termini",
+                (false, false) => "nothing",
+            };
             format!(
-                "//! | [`{}`] | {} | {guarantees} | {} | {termini} |\n",
-                info.name, info.citation, info.cost,
+                "//! | [`{}`] | {}{basis} | {guarantees} | {} | {} | {told} |\n",
+                info.name, info.citation, info.scope, info.cost,
             )
         };
         let rows: String = ALGORITHMS.iter().map(|a| row(a.info())).collect();
-        let rule = "//! |---|---|---|---|---|\n";
+        let rule = "//! |---|---|---|---|---|---|\n";
         let doc = include_str!("lib.rs");
         let table = doc
             .split_once(rule)

@@ -15,10 +15,9 @@ use std::fmt;
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
-use crate::delaunay_edges::{apex_angles, filtered};
+use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
+use crate::delaunay_edges::{filtered, is_skeleton_edge};
 use crate::error::ReconstructError;
-use crate::subtended_angle::SubtendedAngle;
 
 /// The parameter of a beta-skeleton: finite and at least 1.
 ///
@@ -80,8 +79,7 @@ impl fmt::Display for Beta {
 
 /// The beta-skeleton: Delaunay edges that subtend less than asin(1/beta) at both apexes.
 ///
-/// Right angles are exact, hence the whole Gabriel graph; other angles are compared in floating
-/// point. A point on the boundary of a disc removes the edge, so cocircular points cause no choice.
+/// Exact. A point on the boundary of a disc removes the edge, so cocircular points cause no choice.
 ///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
@@ -96,14 +94,7 @@ impl fmt::Display for Beta {
 /// ```
 #[must_use]
 pub fn beta_skeleton(points: &PointSet, beta: Beta) -> EdgeSet {
-    // cot(asin(1/beta)), factored so that it is exactly 0 at 1 and does not overflow.
-    let least_cotangent = (beta.0 - 1.0).sqrt() * (beta.0 + 1.0).sqrt();
-    let is_narrow = |a: &SubtendedAngle| {
-        a.is_acute() && (least_cotangent <= 0.0 || a.cotangent() > least_cotangent)
-    };
-    filtered(points, |dual| {
-        apex_angles(points, dual).iter().flatten().all(is_narrow)
-    })
+    filtered(points, |dual| is_skeleton_edge(points, dual, beta.0))
 }
 
 /// The beta-skeleton behind the common contract.
@@ -131,6 +122,9 @@ impl Reconstructor for BetaSkeleton {
             guarantees: &[],
             cost: "O(n log n)",
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         };
         let skeleton = AlgorithmInfo {
             name: "beta-skeleton",

@@ -21,7 +21,7 @@ use crate::algorithm::Reconstructor;
 use crate::error::ReconstructError;
 use crate::explanation::{ExplainedEdge, Explanation, Reason};
 use crate::known::{Known, Shape, are_on_a_line, distinct};
-use crate::tour::{Task, short_tour};
+use crate::tour::{Goal, Task, short_tour};
 
 /// The edges of an algorithm that honours termini, or others that agree with what is known.
 pub(crate) fn reconstruct(
@@ -42,7 +42,7 @@ pub(crate) fn reconstruct(
         };
     };
     if curves == 1 {
-        return Ok(one(points, known));
+        return Ok(one(points, known, Goal::LengthAndDetours));
     }
     let found = found()?;
     let chains = found.chains();
@@ -56,7 +56,7 @@ pub(crate) fn reconstruct(
     }
     match known.shape {
         Some(Shape::Closed) => closed::closed(points, &found, Some(curves)),
-        _ => Ok(through_all(points, known, curves)),
+        _ => Ok(through_all(points, known, curves, Goal::LengthAndDetours)),
     }
 }
 
@@ -94,24 +94,25 @@ pub(crate) fn explain(
 }
 
 /// One curve through all points.
-fn one(points: &PointSet, known: &Known) -> EdgeSet {
+pub(crate) fn one(points: &PointSet, known: &Known, goal: Goal) -> EdgeSet {
     match known.shape() {
-        Some(Shape::Closed) => closed_through_all(points),
-        Some(Shape::Open) => through_all(points, known, 1),
+        Some(Shape::Closed) => closed_through_all(points, goal),
+        Some(Shape::Open) => through_all(points, known, 1, goal),
         None => {
-            let open = through_all(points, known, 1);
+            let open = through_all(points, known, 1, goal);
             if open.chains().iter().all(|chain| !chain.is_closed()) {
                 open
             } else {
-                closed_through_all(points)
+                closed_through_all(points, goal)
             }
         }
     }
 }
 
-fn closed_through_all(points: &PointSet) -> EdgeSet {
+/// One closed curve through all points, of which there must be three, not all on one line.
+pub(crate) fn closed_through_all(points: &PointSet, goal: Goal) -> EdgeSet {
     let (sorted, ids) = in_hilbert_order(points);
-    let rings = short_tour(&sorted, &Task::default());
+    let rings = short_tour(&sorted, &Task::closed(goal));
     let edges = rings
         .iter()
         .flat_map(|ring| edges(ring, Shape::Closed, &ids));
@@ -120,7 +121,7 @@ fn closed_through_all(points: &PointSet) -> EdgeSet {
 
 /// This number of curves through all points, the shortest open ones; where the shape is not known,
 /// those whose ends are near each other are closed.
-fn through_all(points: &PointSet, known: &Known, curves: usize) -> EdgeSet {
+pub(crate) fn through_all(points: &PointSet, known: &Known, curves: usize, goal: Goal) -> EdgeSet {
     let (sorted, ids) = in_hilbert_order(points);
     let termini = distinct(&known.termini);
     let is_terminus = ids
@@ -128,6 +129,7 @@ fn through_all(points: &PointSet, known: &Known, curves: usize) -> EdgeSet {
         .map(|id| termini.binary_search(id).is_ok())
         .collect();
     let task = Task {
+        goal,
         gaps: curves,
         is_terminus,
     };

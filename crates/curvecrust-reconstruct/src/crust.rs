@@ -16,7 +16,7 @@ use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
 use crate::delaunay_edges::is_crust_edge;
 use crate::voronoi_vertices::VoronoiVertices;
 
@@ -61,6 +61,9 @@ impl Reconstructor for Crust {
             guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(0.252))] },
             cost: "O(n log n)",
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         }
     }
 

@@ -105,6 +105,18 @@ pub enum ReconstructError {
         /// The number of points.
         count: usize,
     },
+    /// The radius of an alpha-shape is not above 0, infinite or not a number.
+    #[error("alpha is {alpha}: give a finite number above 0, about the spacing of the samples")]
+    Alpha {
+        /// The radius.
+        alpha: f64,
+    },
+    /// The parameter of Conservative Crust is below 1, infinite or not a number.
+    #[error("rho of Conservative Crust is {rho}: give a finite number of at least 1")]
+    ConservativeRho {
+        /// The parameter.
+        rho: f64,
+    },
     /// The parameter of a beta-skeleton is below 1, infinite or not a number.
     #[error("beta is {beta}: give a finite number of at least 1, such as 1.7")]
     Beta {

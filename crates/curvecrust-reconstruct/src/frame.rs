@@ -11,7 +11,6 @@ use curvecrust_geometry::DVec2;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-use crate::pencil::Pencil;
 use crate::voronoi_vertex::VoronoiVertex;
 
 /// A triangle is fine if its circumradius is less than this fraction of the distance to the origin.
@@ -81,22 +80,23 @@ impl Frame {
         GeomWithData::new(Rectangle::from_corners(low.into(), high.into()), frame)
     }
 
-    /// Visits all vertices in a disc of the pencil, and perhaps a few around it, until `visit`
-    /// breaks.
+    /// Visits all vertices in a disc, and perhaps a few around it, until `visit` breaks.
+    ///
+    /// `disc` gives its centre as seen from an origin and its squared radius; `None` beyond the
+    /// range of doubles.
     pub(crate) fn in_disc<'v>(
         &self,
         vertices: &'v [VoronoiVertex],
-        pencil: &Pencil<'_>,
-        cotangent: f64,
+        disc: &impl Fn(DVec2) -> Option<(DVec2, f64)>,
         visit: &mut impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let Some((centre, radius_squared)) = pencil.disc(cotangent, self.origin) else {
+        let Some((centre, radius_squared)) = disc(self.origin) else {
             // A disc too large for a tree holds them all.
             for place in &self.places {
                 visit(&vertices[place.data])?;
             }
             for group in &self.groups {
-                group.data.in_disc(vertices, pencil, cotangent, visit)?;
+                group.data.in_disc(vertices, disc, visit)?;
             }
             return ControlFlow::Continue(());
         };
@@ -110,7 +110,7 @@ impl Frame {
         let around = AABB::from_corners((centre - radius).into(), (centre + radius).into());
         self.groups
             .locate_in_envelope_intersecting(around)
-            .try_for_each(|group| group.data.in_disc(vertices, pencil, cotangent, visit))
+            .try_for_each(|group| group.data.in_disc(vertices, disc, visit))
     }
 }
 

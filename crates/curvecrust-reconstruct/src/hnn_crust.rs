@@ -19,7 +19,9 @@
 
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound, Standing};
+use crate::algorithm::{
+    AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope, Standing,
+};
 use crate::error::ReconstructError;
 use crate::neighbours::{Choices, HalfRule, Keep};
 use crate::termini;
@@ -87,6 +89,9 @@ impl Reconstructor for HnnCrust {
             ],
             cost: "O(n log n)",
             honours_termini: true,
+            honours_known: false,
+            scope: Scope::CLOSED_AND_OPEN.with_corners(),
+            basis: Basis::Published,
         }
     }
 

@@ -45,7 +45,6 @@
 
 mod candidates;
 mod certificates;
-mod clusters;
 mod constants;
 mod exchange;
 mod explain;
@@ -64,7 +63,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, Interrupt, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 
-use crate::algorithm::{AlgorithmInfo, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::constrained;
 use crate::error::ReconstructError;
 use crate::explanation::Explanation;
@@ -115,6 +114,9 @@ impl Reconstructor for LeastDetour {
             guarantees: &[],
             cost: "O(n log n)",
             honours_termini: true,
+            honours_known: true,
+            scope: Scope::CLOSED_AND_OPEN.with_corners(),
+            basis: Basis::Published,
         }
     }
 

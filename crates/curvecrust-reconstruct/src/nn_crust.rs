@@ -11,7 +11,7 @@
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Guarantee, Reconstructor, SamplingBound};
+use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
 use crate::neighbours::{Choices, HalfRule, Keep};
 
 /// The edges of NN-Crust.
@@ -46,6 +46,9 @@ impl Reconstructor for NnCrust {
             guarantees: const { &[Guarantee::proven(SamplingBound::Epsilon(1.0 / 3.0))] },
             cost: "O(n log n)",
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         }
     }
 

@@ -33,7 +33,7 @@
 use curvecrust_geometry::{EdgeSet, PointSet};
 use curvecrust_voronoi::Delaunay;
 
-use crate::algorithm::{AlgorithmInfo, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::delaunay_edges::{edge_of, filtered, is_crust_edge};
 use crate::skeleton::{Skeleton, SkeletonEdge};
 
@@ -94,6 +94,9 @@ impl Reconstructor for OneStepCrust {
             guarantees: &[],
             cost: "O(n log n)",
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         }
     }
 

@@ -179,24 +179,33 @@ impl Cotangent {
     where
         for<'t> &'t T: RefNum<T>,
     {
-        let (across, to_corner) = (sub(q, p), sub(a, p));
-        let (ab, ac) = (sub(b, a), sub(c, a));
-        let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));
-        // The circumcentre is at p + place / weight.
-        let weight = {
-            let area = cross(&ab, &ac);
-            &area + &area
-        };
-        let place = [
-            &to_corner[0] * &weight + &ac[1] * &bb - &ab[1] * &cc,
-            &to_corner[1] * &weight + &ab[0] * &cc - &ac[0] * &bb,
-        ];
+        let across = sub(q, p);
+        let (place, weight) = circumcentre([p, a, b, c]);
         let far_end = across.each_ref().map(|x| x * &weight);
         Self {
             cosine: dot(&place, &sub(&place, &far_end)).into(),
             sine: (cross(&across, &place) * weight).into(),
         }
     }
+}
+
+/// The circumcentre of `a`, `b`, `c` is at `p + place / weight`, the result.
+pub(crate) fn circumcentre<T: Signed>([p, a, b, c]: [&Vector<T>; 4]) -> (Vector<T>, T)
+where
+    for<'t> &'t T: RefNum<T>,
+{
+    let to_corner = sub(a, p);
+    let (ab, ac) = (sub(b, a), sub(c, a));
+    let (bb, cc) = (dot(&ab, &ab), dot(&ac, &ac));
+    let weight = {
+        let area = cross(&ab, &ac);
+        &area + &area
+    };
+    let place = [
+        &to_corner[0] * &weight + &ac[1] * &bb - &ab[1] * &cc,
+        &to_corner[1] * &weight + &ab[0] * &cc - &ac[0] * &bb,
+    ];
+    (place, weight)
 }
 
 #[cfg(test)]

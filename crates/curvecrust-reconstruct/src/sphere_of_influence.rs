@@ -11,7 +11,7 @@
 
 use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 
-use crate::algorithm::{AlgorithmInfo, Reconstructor};
+use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::delaunay_edges::{filtered, has_length};
 use crate::neighbours::{HalfRule, neighbours};
 
@@ -41,7 +41,7 @@ pub fn sphere_of_influence(points: &PointSet) -> EdgeSet {
 }
 
 /// The distance of every point to its nearest neighbour; infinite if it is alone.
-fn nearest_distances(points: &PointSet) -> Vec<f64> {
+pub(crate) fn nearest_distances(points: &PointSet) -> Vec<f64> {
     let found = neighbours(points, HalfRule::Bisector);
     let distance = |(p, nearest): (PointId, Option<PointId>)| {
         nearest.map_or(f64::INFINITY, |q| points[p].distance(points[q]))
@@ -65,6 +65,9 @@ impl Reconstructor for SphereOfInfluence {
             guarantees: &[],
             cost: "O(n log n)",
             honours_termini: false,
+            honours_known: false,
+            scope: Scope::CLOSED,
+            basis: Basis::Published,
         }
     }
 

@@ -1,7 +1,10 @@
 //! The angle that an edge subtends at a point, compared without rounding error.
 
+use std::cmp::Ordering;
+
 use curvecrust_geometry::DVec2;
 use glam::Vec2Swizzles;
+use num_bigint::BigInt;
 use num_traits::{RefNum, Signed};
 
 use crate::exact::{Vector, cross, dot, integers, small_integers, sub};
@@ -47,35 +50,59 @@ impl SubtendedAngle {
         }
     }
 
-    /// The cotangent of the angle, in floating point; infinite for slivers.
-    pub(crate) fn cotangent(&self) -> f64 {
-        // The point is to the left: only rounding makes the cross product negative.
-        self.u.dot(self.v) / self.u.perp_dot(self.v).abs()
+    /// Whether the angle is below asin(1 / beta), exactly, for a beta above 1: the point lies
+    /// outside the closed disc of radius `beta |pq| / 2` that touches both ends and whose centre is
+    /// on the side of the point.
+    pub(crate) fn is_below(&self, beta: f64) -> bool {
+        // cos > sqrt(beta^2 - 1) sin, factored so that it does not overflow.
+        let cotangent = (beta - 1.0).sqrt() * (beta + 1.0).sqrt();
+        let cosine = self.u.dot(self.v);
+        let sine = self.u.perp_dot(self.v).abs();
+        let estimate = cosine - cotangent * sine;
+        // Each product errs by 3 U, sums and the cotangent by a few more.
+        let sines = cotangent * self.u.abs().dot(self.v.abs().yx());
+        let error = 16.0 * U * (self.u.abs().dot(self.v.abs()) + sines);
+        if estimate.abs() > error {
+            return estimate > 0.0;
+        }
+        self.is_below_exactly(beta)
     }
 
-    /// Whether this angle and `other`, which the edge subtends at a point to its right, sum to 90
-    /// degrees or less, exactly; both must be acute.
-    pub(crate) fn sums_to_right_angle_at_most(&self, other: &Self) -> bool {
-        // cos(a + b) = cos a cos b - sin a sin b >= 0.
+    #[cold]
+    fn is_below_exactly(&self, beta: f64) -> bool {
+        let ([p, q, at], _) = integers([self.p, self.q, self.at]);
+        let (u, v) = (sub(&p, &at), sub(&q, &at));
+        let (cosine, sine) = (dot(&u, &v), cross(&u, &v));
+        // beta = numerator / denominator
+        let ([[numerator, denominator]], _) = integers([DVec2::new(beta, 1.0)]);
+        let denominator = &denominator * &denominator;
+        let squared = &numerator * &numerator - &denominator;
+        cosine.is_positive() && &cosine * &cosine * denominator > squared * &sine * &sine
+    }
+
+    /// How this angle and `other`, which the edge subtends at a point to its right, compare to 90
+    /// degrees in sum, exactly; both must be acute.
+    pub(crate) fn sum_to_right_angle(&self, other: &Self) -> Ordering {
+        // cos(a + b) = cos a cos b - sin a sin b falls as the sum grows.
         let cosines = self.u.dot(self.v) * other.u.dot(other.v);
         let sines = self.u.perp_dot(self.v) * other.u.perp_dot(other.v);
         let estimate = cosines - sines;
         // Each factor errs by 4 U of its terms, which are at most this.
-        let size = |s: &Self| s.u.abs().dot(s.v.abs()) + s.u.abs().dot(s.v.yx().abs());
+        let size = |s: &Self| s.u.abs().dot(s.v.abs()) + s.u.abs().dot(s.v.abs().yx());
         let error = 16.0 * U * size(self) * size(other);
         if estimate.abs() > error {
-            return estimate > 0.0;
+            return 0.0_f64.total_cmp(&estimate);
         }
-        self.sums_to_right_angle_at_most_exactly(other)
+        self.sum_to_right_angle_exactly(other)
     }
 
     #[cold]
-    fn sums_to_right_angle_at_most_exactly(&self, other: &Self) -> bool {
+    fn sum_to_right_angle_exactly(&self, other: &Self) -> Ordering {
         // Both edges are pq, in either direction.
         let points = [self.p, self.q, self.at, other.at];
         match small_integers(points, 4) {
-            Some(points) => !cosine_of_sum(&points).is_negative(),
-            None => !cosine_of_sum(&integers(points).0).is_negative(),
+            Some(points) => 0.cmp(&cosine_of_sum(&points)),
+            None => BigInt::ZERO.cmp(&cosine_of_sum(&integers(points).0)),
         }
     }
 }

@@ -2,10 +2,10 @@
 //!
 //! A curve sampled densely enough is the shortest tour of its samples (Giesen, "Curve
 //! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999),
-//! which also holds at corners. Sought here is the tour of least length and detours, which is the
-//! cost of [least detour](mod@crate::least_detour): where samples are sparse it is right more often
-//! than the shortest. An open curve is a tour with a [gap](cost::Cost), and several open curves are
-//! one with several gaps.
+//! which also holds at corners. Sought is that tour, or the one of least length and detours, which is
+//! the cost of [least detour](mod@crate::least_detour): where samples are sparse it is right more
+//! often than the shortest. An open curve is a tour with a [gap](cost::Cost), and several open
+//! curves are one with several gaps.
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
 //! 2. **Improve.** Lin-Kernighan (1973): edges are exchanged one after another, each exchange
@@ -34,13 +34,34 @@ pub(crate) use near::Near;
 use order::Order;
 use search::Search;
 
+/// What a tour is to have little of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Goal {
+    /// Length.
+    Length,
+    /// Length and detours.
+    LengthAndDetours,
+}
+
 /// What a tour has to keep.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Task {
+    pub(crate) goal: Goal,
     /// So many gaps: the number of open curves; 0 for a closed one.
     pub(crate) gaps: usize,
     /// For every point whether a gap must be next to it; at most two for each gap.
     pub(crate) is_terminus: Vec<bool>,
+}
+
+impl Task {
+    /// One closed curve.
+    pub(crate) const fn closed(goal: Goal) -> Self {
+        Self {
+            goal,
+            gaps: 0,
+            is_terminus: Vec::new(),
+        }
+    }
 }
 
 /// The points in the order of a short tour, divided at the gaps: one closed curve without gaps,

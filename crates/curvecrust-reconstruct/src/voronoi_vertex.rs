@@ -72,6 +72,11 @@ impl VoronoiVertex {
         self.offset.abs().max_element()
     }
 
+    /// The circumradius of its triangle, rounded.
+    pub(crate) fn radius(&self) -> f64 {
+        libm::hypot(self.offset.x, self.offset.y)
+    }
+
     /// Where it is as seen from an origin, rounded.
     pub(crate) fn position(&self, origin: DVec2) -> DVec2 {
         (self.corner - origin) + self.offset

@@ -29,18 +29,16 @@ impl Indexed {
         }
     }
 
-    /// Visits all vertices in a disc of the pencil, and perhaps a few around it, until `visit`
-    /// breaks.
+    /// Visits all vertices in a disc, as [`Frame::in_disc`] does.
     fn in_disc<'v>(
         &'v self,
-        pencil: &Pencil<'_>,
-        cotangent: f64,
+        disc: &impl Fn(DVec2) -> Option<(DVec2, f64)>,
         visit: &mut impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         if self.vertices.is_empty() {
             return ControlFlow::Continue(());
         }
-        self.frame.in_disc(&self.vertices, pencil, cotangent, visit)
+        self.frame.in_disc(&self.vertices, disc, visit)
     }
 }
 
@@ -94,7 +92,8 @@ impl<'a> VoronoiVertices<'a> {
     pub(crate) fn spare_a_disc_through(&self, ends: [PointId; 2]) -> bool {
         let pencil = Pencil::new(self.points, ends);
         let stop_at_first = &mut |_: &VoronoiVertex| ControlFlow::Break(());
-        if self.near.in_disc(&pencil, 0.0, stop_at_first).is_continue() {
+        let smallest = |origin| pencil.disc(0.0, origin);
+        if self.near.in_disc(&smallest, stop_at_first).is_continue() {
             return true;
         }
         let mut range = Range::default();
@@ -131,13 +130,26 @@ impl<'a> VoronoiVertices<'a> {
         cotangent: f64,
         mut visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
     ) {
-        if self
-            .near
-            .in_disc(pencil, cotangent, &mut visit)
-            .is_continue()
-        {
-            let _ = self.far().in_disc(pencil, cotangent, &mut visit);
+        let disc = |origin| pencil.disc(cotangent, origin);
+        if self.near.in_disc(&disc, &mut visit).is_continue() {
+            let _ = self.far().in_disc(&disc, &mut visit);
         }
+    }
+
+    /// Whether one of the vertices near edges, in a disc or a little outside, is wanted.
+    pub(crate) fn any_near(
+        &self,
+        disc: &impl Fn(DVec2) -> Option<(DVec2, f64)>,
+        is_wanted: impl Fn(&VoronoiVertex) -> bool,
+    ) -> bool {
+        let mut stop_at_wanted = |vertex: &VoronoiVertex| {
+            if is_wanted(vertex) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        self.near.in_disc(disc, &mut stop_at_wanted).is_break()
     }
 }
 

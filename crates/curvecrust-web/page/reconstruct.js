@@ -96,7 +96,21 @@ export const ALGORITHMS = [
   "one-step-crust",
   "beta-skeleton",
   "gabriel",
+  "normalised-mesh",
+  "alpha-shape",
   "sphere-of-influence",
+  "spanning-tree",
+  "conservative-crust",
+  "gathan-like",
+  "gathan-g-like",
+  "lenz-like",
+  "discur",
+  "vicur-like",
+  "crawl",
+  "peel",
+  "connect2d",
+  "sig-connect2d",
+  "shortest-tour",
 ];
 
 function remember() {

@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use crate::output;
-use curvecrust::reconstruct::{ALGORITHMS, AlgorithmInfo, Guarantee};
+use curvecrust::reconstruct::{ALGORITHMS, AlgorithmInfo, Basis, Guarantee};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -20,6 +20,19 @@ struct Entry {
     guarantees: Vec<String>,
     cost: &'static str,
     honours_termini: bool,
+    honours_known: bool,
+    made_for: Scope,
+    argued: bool,
+}
+
+/// The curves that an algorithm is made for.
+#[derive(Serialize)]
+struct Scope {
+    closed: bool,
+    open: bool,
+    several: bool,
+    corners: bool,
+    crossings: bool,
 }
 
 pub(crate) fn run(json: bool) -> anyhow::Result<Outcome> {
@@ -40,6 +53,15 @@ fn entry(info: AlgorithmInfo) -> Entry {
         guarantees: info.guarantees.iter().map(Guarantee::to_string).collect(),
         cost: info.cost,
         honours_termini: info.honours_termini,
+        honours_known: info.honours_known,
+        made_for: Scope {
+            closed: info.scope.closed,
+            open: info.scope.open,
+            several: info.scope.several,
+            corners: info.scope.corners,
+            crossings: info.scope.crossings,
+        },
+        argued: info.basis == Basis::Argued,
     }
 }
 
@@ -52,12 +74,19 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
             some.join(" or ")
         ),
     };
-    let termini = if entry.honours_termini {
-        "; takes --terminus"
+    let argued = if entry.argued {
+        ". The definition is argued: the publication could not be had"
     } else {
         ""
     };
+    let told = match (entry.honours_known, entry.honours_termini) {
+        (true, true) => "; takes --closed, --open, --curves and --terminus",
+        (true, false) => "; takes --closed, --open and --curves",
+        (false, true) => "; takes --terminus",
+        (false, false) => "",
+    };
     writeln!(out, "{}", entry.name)?;
-    writeln!(out, "    {}", entry.citation)?;
-    writeln!(out, "    {guarantees}; {}{termini}", entry.cost)
+    writeln!(out, "    {}{argued}", entry.citation)?;
+    writeln!(out, "    for curves: {}", info.scope)?;
+    writeln!(out, "    {guarantees}; {}{told}", entry.cost)
 }

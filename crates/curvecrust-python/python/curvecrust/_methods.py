@@ -21,6 +21,12 @@ class Method:
     """The time that it takes for n points."""
     takes_termini: bool
     """Whether it can be told which points are ends of open curves."""
+    takes_shape: bool
+    """Whether it can be told that curves are closed or open, and how many there are."""
+    made_for: str
+    """The kinds of curves that it is made for, such as 'closed, several'."""
+    argued: bool
+    """Whether its definition follows what others wrote of a publication that could not be had."""
 
 
 def methods() -> list[Method]:

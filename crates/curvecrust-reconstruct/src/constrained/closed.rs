@@ -7,7 +7,7 @@ use super::edges;
 use super::rings::{Partners, make_polygon};
 use crate::error::ReconstructError;
 use crate::known::Shape;
-use crate::tour::{Near, Task, short_tour};
+use crate::tour::{Goal, Near, Task, short_tour};
 
 /// Closed curves through all points, which are not on one line: those among the edges stay, as long
 /// as their number is right, and what is open is closed.
@@ -297,7 +297,9 @@ impl<'a> Rings<'a> {
                 .map(|&v| self.points[PointId::from(v)])
                 .collect();
             let places = PointSet::new(places).unwrap_or_default();
-            let tours = short_tour(&places, &Task::default()).into_iter().flatten();
+            let tours = short_tour(&places, &Task::closed(Goal::LengthAndDetours))
+                .into_iter()
+                .flatten();
             tours.map(|v| ring[v as usize]).collect()
         };
         self.partners.curves().into_iter().map(simple).collect()

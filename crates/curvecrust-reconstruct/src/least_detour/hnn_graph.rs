@@ -5,12 +5,12 @@ use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use super::candidates::Candidates;
 use super::certificates::{Certificates, NONE, add_partners};
-use super::clusters::Clusters;
 use super::constants::{
     AHEAD_COSINE, CERTIFIED_COSINE, CLUSTER_EDGES, GAP, GAP_DEVIATIONS, GAP_EDGES, LAST_EDGE,
     LEAST_RUN_EDGES, PRIOR_DEVIATION, PRIOR_EDGES, RUN_EDGES, SPACING_EDGES,
 };
 use super::measure::Measure;
+use crate::clusters::Clusters;
 use crate::delaunay_edges::{has_length, is_crust_edge};
 
 /// The edges that HNN-Crust finds, at most two at each point, without gaps.

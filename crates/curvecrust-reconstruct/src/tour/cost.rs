@@ -1,18 +1,21 @@
-//! What a tour costs: the lengths of its edges and the detours at its points, but for its gaps.
+//! What a tour costs: the lengths of its edges, and perhaps the detours at its points, but for its
+//! gaps.
 
 use crate::detour::detour;
 use curvecrust_geometry::DVec2;
 
-use super::Task;
+use super::{Goal, Task};
 
-/// The cost of a tour through points and gaps: the lengths of its edges, and at each point v
-/// between p and q the detour |vp| + |vq| - |pq|, as for [least detour](mod@crate::least_detour).
+/// The cost of a tour through points and gaps: the lengths of its edges; and for
+/// [`Goal::LengthAndDetours`] at each point v between p and q the detour |vp| + |vq| - |pq|, as for
+/// [least detour](mod@crate::least_detour).
 ///
 /// A gap is a vertex without a place. It lies between the end of an open curve and the start of the
 /// next, so a step to it costs nothing. What must not be (gaps next to each other, a curve of one
 /// point, a terminus inside a curve) costs more than any exchange of edges can gain.
 pub(super) struct Cost<'a> {
     points: &'a [DVec2],
+    goal: Goal,
     gaps: usize,
     is_terminus: &'a [bool],
     /// Whether points that are no termini may be next to a gap.
@@ -36,6 +39,7 @@ impl<'a> Cost<'a> {
         let termini = task.is_terminus.iter().filter(|&&t| t).count();
         Self {
             points,
+            goal: task.goal,
             gaps: task.gaps,
             is_terminus: &task.is_terminus,
             has_free_ends: termini < 2 * task.gaps,
@@ -91,7 +95,10 @@ impl<'a> Cost<'a> {
     /// The cost of a vertex between two others: a detour, but beside gaps.
     pub(super) fn vertex(&self, v: u32, p: u32, q: u32) -> f64 {
         match [v, p, q].map(|v| self.points.get(v as usize)) {
-            [Some(&v), Some(&p), Some(&q)] => detour(v, p, q),
+            [Some(&v), Some(&p), Some(&q)] => match self.goal {
+                Goal::Length => 0.0,
+                Goal::LengthAndDetours => detour(v, p, q),
+            },
             // A curve of one point.
             [Some(_), None, None] => 4.0 * self.forbidden,
             _ => 0.0,

@@ -5,6 +5,7 @@ use curvecrust_voronoi::Delaunay;
 
 use super::cost::Cost;
 use super::near::Near;
+use crate::clusters::Clusters;
 
 /// All vertices once. What must not be is not in it.
 ///
@@ -42,29 +43,20 @@ pub(super) fn tour(points: &PointSet, near: &Near, cost: &Cost<'_>) -> Vec<u32> 
 /// Paths through points, by the partners of each point.
 struct Paths {
     partners: Vec<Vec<u32>>,
-    /// A point that leads to the one that stands for the path.
-    towards: Vec<u32>,
+    /// The points of each path.
+    clusters: Clusters,
 }
 
 impl Paths {
     fn new(count: usize) -> Self {
         Self {
             partners: vec![Vec::new(); count],
-            towards: (0u32..).take(count).collect(),
+            clusters: Clusters::new(count),
         }
     }
 
     fn is_end(&self, v: u32) -> bool {
         self.partners[v as usize].len() < 2
-    }
-
-    fn path_of(&mut self, mut v: u32) -> u32 {
-        while self.towards[v as usize] != v {
-            let next = self.towards[v as usize];
-            self.towards[v as usize] = self.towards[next as usize];
-            v = next;
-        }
-        v
     }
 
     /// Takes the edges that join ends of different paths, the shortest first; whether there was
@@ -83,9 +75,7 @@ impl Paths {
             if !self.is_end(v) || !self.is_end(w) {
                 continue;
             }
-            let [p, q] = [v, w].map(|v| self.path_of(v));
-            if p != q {
-                self.towards[p.max(q) as usize] = p.min(q);
+            if self.clusters.join(v, w) {
                 self.partners[v as usize].push(w);
                 self.partners[w as usize].push(v);
                 is_any = true;

@@ -5,6 +5,8 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_voronoi::Delaunay;
 use rayon::prelude::*;
 
+use crate::adjacency::Adjacency;
+
 /// So many Delaunay neighbours are tried, the nearest.
 const ADJACENT: usize = 12;
 
@@ -14,9 +16,7 @@ const NEAREST: usize = 10;
 /// For every point others that it may be joined to, the nearest first: its Delaunay neighbours, and
 /// the nearest of theirs, for where the right edge is none of the triangulation.
 pub(crate) struct Near {
-    /// Those of `v` are `targets[first[v]..first[v + 1]]`.
-    first: Vec<usize>,
-    targets: Vec<u32>,
+    targets: Adjacency,
 }
 
 impl Near {
@@ -25,7 +25,7 @@ impl Near {
             .edges()
             .map(|dual| dual.ends.map(u32::from))
             .collect();
-        let adjacent = Self::adjacent(points.len(), &edges);
+        let adjacent = Adjacency::new(points.len(), &edges);
         let places = points.points();
         let sort = |v: u32, list: &mut Vec<u32>| {
             let at = places[v as usize];
@@ -44,7 +44,7 @@ impl Near {
             list.truncate(ADJACENT);
             list
         });
-        Self::of_lists(points, |v| {
+        let targets = Self::of_lists(points, |v| {
             let mut list = adjacent.of(v).to_vec();
             let mut around: Vec<u32> = list.iter().flat_map(|&w| adjacent.of(w)).copied().collect();
             around.retain(|&w| w != v && !list.contains(&w));
@@ -53,48 +53,18 @@ impl Near {
             list.append(&mut around);
             sort(v, &mut list);
             list
-        })
+        });
+        Self { targets }
     }
 
-    fn of_lists(points: &PointSet, of: impl Fn(u32) -> Vec<u32> + Sync + Send) -> Self {
+    fn of_lists(points: &PointSet, of: impl Fn(u32) -> Vec<u32> + Sync + Send) -> Adjacency {
         let ids: Vec<u32> = points.ids().map(u32::from).collect();
         let lists: Vec<Vec<u32>> = ids.into_par_iter().map(of).collect();
-        let first = std::iter::once(0).chain(lists.iter().scan(0, |sum, list| {
-            *sum += list.len();
-            Some(*sum)
-        }));
-        Self {
-            first: first.collect(),
-            targets: lists.concat(),
-        }
-    }
-
-    fn adjacent(count: usize, edges: &[[u32; 2]]) -> Self {
-        let both_ways = || edges.iter().flat_map(|&[a, b]| [(a, b), (b, a)]);
-        let mut first = vec![0; count + 1];
-        for (from, _) in both_ways() {
-            first[from as usize + 1] += 1;
-        }
-        for v in 1..first.len() {
-            first[v] += first[v - 1];
-        }
-        let mut free = first.clone();
-        let mut targets = vec![0; 2 * edges.len()];
-        for (from, to) in both_ways() {
-            let slot = &mut free[from as usize];
-            targets[*slot] = to;
-            *slot += 1;
-        }
-        Self { first, targets }
+        Adjacency::of_lists(&lists)
     }
 
     /// Nothing for gaps.
     pub(crate) fn of(&self, v: u32) -> &[u32] {
-        let v = v as usize;
-        if v + 1 < self.first.len() {
-            &self.targets[self.first[v]..self.first[v + 1]]
-        } else {
-            &[]
-        }
+        self.targets.of(v)
     }
 }

@@ -6,15 +6,19 @@
     reason = "a test that fails panics"
 )]
 
+mod chains;
 mod exact;
+mod family;
 mod least_detour;
 mod least_detour_search;
 mod oracles;
+mod regions;
+mod tours;
 
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, PointSetError};
 use curvecrust_reconstruct::{
     ALGORITHMS, Beta, HnnCrust, OneStepCrust, ReconstructError, Reconstruction, Reconstructor,
-    ViolationReport, one_step_crust,
+    ViolationReport, one_step_crust, spanning_tree,
 };
 use curvecrust_testing::hard_points::HARD_POINTS;
 use curvecrust_testing::moves::{distances_differ, mapped, permuted, relabelled, shifted};
@@ -22,9 +26,9 @@ use curvecrust_testing::strategies::{any_points, rounded};
 use curvecrust_voronoi::Delaunay;
 use proptest::prelude::*;
 
-/// The edges from the definition.
-fn oracle(name: &str, points: &PointSet) -> EdgeSet {
-    match name {
+/// The edges from the definition; `None` where floating point cannot tell them.
+fn oracle(name: &str, points: &PointSet) -> Option<EdgeSet> {
+    Some(match name {
         "hnn-crust" => oracles::hnn_crust(points),
         "hnn-crust-union" => oracles::hnn_crust_union(points),
         "nn-crust" => oracles::nn_crust(points),
@@ -32,24 +36,47 @@ fn oracle(name: &str, points: &PointSet) -> EdgeSet {
         "one-step-crust" => oracles::one_step_crust(points),
         "beta-skeleton" => oracles::beta_skeleton(points, 1.7),
         "gabriel" => oracles::beta_skeleton(points, 1.0),
+        "normalised-mesh" => oracles::normalised_mesh(points),
         "sphere-of-influence" => oracles::sphere_of_influence(points),
+        "spanning-tree" => family::spanning_tree(points),
+        "conservative-crust" => family::conservative_crust(points, 1.0),
+        "gathan-like" => return chains::gathan(points),
+        "gathan-g-like" => chains::gathan_g(points),
+        "lenz-like" => chains::lenz(points),
+        "discur" => return chains::discur(points),
+        "vicur-like" => return chains::vicur(points),
+        "crawl" => family::crawl(points),
+        "peel" => family::peel(points),
+        "connect2d" => regions::connect2d(points),
+        "sig-connect2d" => regions::sig_connect2d(points),
         other => panic!("write an oracle for {other}"),
-    }
+    })
 }
 
 /// What is wrong with the edges that an algorithm has found, if anything.
 fn fault(name: &str, points: &PointSet, edges: &EdgeSet) -> Option<String> {
-    if name == "least-detour" {
-        return least_detour::fault(points, edges);
+    match name {
+        "least-detour" => return least_detour::fault(points, edges),
+        "alpha-shape" => return family::alpha_shape_fault(points, edges),
+        "shortest-tour" => return tours::fault(points, edges),
+        _ => {}
     }
-    let expected = oracle(name, points);
+    let expected = oracle(name, points)?;
     (*edges != expected).then(|| format!("{edges:?} instead of {expected:?}"))
+}
+
+/// All algorithms; the search of the shortest tour, which takes longer than all others together,
+/// for small sets alone.
+fn algorithms(points: &PointSet) -> impl Iterator<Item = &'static dyn Reconstructor> + use<> {
+    let is_small = points.len() <= 16;
+    let all = ALGORITHMS.iter().copied();
+    all.filter(move |algorithm| is_small || algorithm.info().name != "shortest-tour")
 }
 
 /// The same for `moved` as for `points`, for all algorithms.
 fn same_edges(points: &PointSet, moved: Option<&PointSet>) -> Result<(), TestCaseError> {
     let Some(moved) = moved else { return Ok(()) };
-    for algorithm in ALGORITHMS {
+    for algorithm in algorithms(points) {
         let name = algorithm.info().name;
         prop_assert_eq!(
             algorithm.reconstruct(moved),
@@ -68,7 +95,7 @@ fn hard_points_are_joined_as_defined() {
             // The oracles compute with multiples of 2^-100.
             let given = (hard.points)(count).into_iter().map(|p| rounded(p, 100));
             let points = PointSet::merging_duplicates(given.collect()).unwrap();
-            for algorithm in ALGORITHMS {
+            for algorithm in algorithms(&points.points) {
                 let name = algorithm.info().name;
                 let found = algorithm.reconstruct(&points.points);
                 let fault = fault(name, &points.points, &found);
@@ -83,7 +110,7 @@ proptest! {
 
     #[test]
     fn edges_are_valid_and_become_chains(points in any_points()) {
-        for algorithm in ALGORITHMS {
+        for algorithm in algorithms(&points) {
             let edges = algorithm.reconstruct(&points);
             prop_assert_eq!(edges.vertex_count(), points.len());
             prop_assert!(edges.edges().is_sorted_by(|e, f| e < f));
@@ -104,7 +131,7 @@ proptest! {
         }),
     ) {
         let shuffled = permuted(&points, &order);
-        for algorithm in ALGORITHMS {
+        for algorithm in algorithms(&points) {
             let edges = relabelled(&algorithm.reconstruct(&shuffled), &order);
             prop_assert_eq!(edges, algorithm.reconstruct(&points), "{}", algorithm.info().name);
         }
@@ -133,7 +160,7 @@ proptest! {
     fn one_thread_and_many_agree(points in any_points()) {
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| ALGORITHMS.iter().map(|a| a.reconstruct(&points)).collect::<Vec<_>>())
+            pool.install(|| algorithms(&points).map(|a| a.reconstruct(&points)).collect::<Vec<_>>())
         };
         prop_assert_eq!(on(1), on(4));
     }
@@ -164,7 +191,7 @@ proptest! {
         let sizes = [PointSet::MIN_MAGNITUDE * 1e20, 1e-20, 1.0, PointSet::MAX_MAGNITUDE];
         let points = places.iter().map(|&(x, y, size)| DVec2::new(x, y) * sizes[size]);
         let Ok(points) = PointSet::new(points.collect()) else { return Ok(()) };
-        for &algorithm in ALGORITHMS {
+        for algorithm in algorithms(&points) {
             let found = Reconstruction::by(algorithm, &points);
             prop_assert_eq!(found.degrees().len(), points.len());
         }
@@ -179,7 +206,7 @@ proptest! {
     ) {
         let inside = picks.iter().filter(|&&i| i < points.len());
         let termini: Vec<PointId> = inside.filter_map(|&i| PointId::new(i)).collect();
-        for algorithm in ALGORITHMS {
+        for algorithm in algorithms(&points) {
             let info = algorithm.info();
             let open = algorithm.reconstruct_open(&points, &termini);
             if termini.is_empty() {
@@ -201,6 +228,13 @@ proptest! {
     }
 
     #[test]
+    fn no_spanning_tree_is_shorter(points in any_points()) {
+        let found = tours::length(&points, &spanning_tree(&points));
+        let least = family::least_tree(&points);
+        prop_assert!((found - least).abs() <= 1e-12 * least);
+    }
+
+    #[test]
     fn crusts_contain_each_other(points in any_points()) {
         let by = |name: &str| {
             let found = ALGORITHMS.iter().find(|a| a.info().name == name);
@@ -211,6 +245,8 @@ proptest! {
         prop_assert!(inside("crust", "one-step-crust"));
         prop_assert!(inside("beta-skeleton", "gabriel"));
         prop_assert!(inside("one-step-crust", "gabriel"));
+        prop_assert!(inside("normalised-mesh", "one-step-crust"));
+        prop_assert!(inside("conservative-crust", "gabriel"));
     }
 }
 
@@ -219,7 +255,7 @@ proptest! {
 
     #[test]
     fn edges_are_those_of_the_definition(points in any_points()) {
-        for algorithm in ALGORITHMS {
+        for algorithm in algorithms(&points) {
             let name = algorithm.info().name;
             let edges = algorithm.reconstruct(&points);
             prop_assert_eq!(fault(name, &points, &edges), None, "{}", name);

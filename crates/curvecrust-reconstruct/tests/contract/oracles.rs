@@ -38,7 +38,7 @@ fn choices(points: &PointSet, right_angle: bool) -> Vec<Vec<PointId>> {
     points.ids().map(of).collect()
 }
 
-fn joined(points: &PointSet, wanted: impl Fn(PointId, PointId) -> bool) -> EdgeSet {
+pub(crate) fn joined(points: &PointSet, wanted: impl Fn(PointId, PointId) -> bool) -> EdgeSet {
     let pairs = points
         .ids()
         .flat_map(|p| points.ids().map(move |q| (p, q)))
@@ -133,6 +133,16 @@ pub(crate) fn sphere_of_influence(points: &PointSet) -> EdgeSet {
 
 /// t1 < 0 < t2 and |t1| t2 >= h^2.
 pub(crate) fn one_step_crust(points: &PointSet) -> EdgeSet {
+    by_offsets(points, Ordering::is_ge)
+}
+
+/// t1 < 0 < t2 and h^2 + t1 t2 < 0.
+pub(crate) fn normalised_mesh(points: &PointSet) -> EdgeSet {
+    by_offsets(points, Ordering::is_gt)
+}
+
+/// t1 < 0 < t2, and how |t1| t2 compares to h^2.
+fn by_offsets(points: &PointSet, wanted: fn(Ordering) -> bool) -> EdgeSet {
     let exact = Exact::new(points);
     joined(points, |p, q| {
         let Some(dual) = voronoi_edge(points, p, q) else {
@@ -157,7 +167,7 @@ pub(crate) fn one_step_crust(points: &PointSet) -> EdgeSet {
             (Some((t1, w1)), Some((t2, w2))) => {
                 // |t1| t2 / (4 w1 w2 |pq|^2) >= |pq|^2 / 4
                 let squared = dot(&across, &across);
-                -t1 * t2 >= w1 * w2 * &squared * &squared
+                wanted((-t1 * t2).cmp(&(w1 * w2 * &squared * &squared)))
             }
             _ => true,
         }
@@ -180,7 +190,7 @@ pub(crate) fn crust(points: &PointSet) -> EdgeSet {
 }
 
 /// The circumcentres of all triangles whose circle is empty.
-fn voronoi_vertices(points: &PointSet, exact: &Exact) -> Vec<Ratio2> {
+pub(crate) fn voronoi_vertices(points: &PointSet, exact: &Exact) -> Vec<Ratio2> {
     let mut vertices = Vec::new();
     for a in points.ids() {
         for b in points.ids().filter(|&b| b > a) {

@@ -2,27 +2,28 @@
 //! Union Algorithm", Journal of the ACM 22(2), 1975.
 
 /// A partition of points.
-pub(super) struct Clusters {
+pub(crate) struct Clusters {
     /// Another point of the cluster, or the point itself if it names the cluster.
     parents: Vec<u32>,
 }
 
 impl Clusters {
     /// Every point alone.
-    pub(super) fn new(points: usize) -> Self {
+    pub(crate) fn new(points: usize) -> Self {
         Self {
             parents: (0u32..).take(points).collect(),
         }
     }
 
-    /// Makes the clusters of two points one.
-    pub(super) fn join(&mut self, v: u32, w: u32) {
+    /// Makes the clusters of two points one; whether they were two.
+    pub(crate) fn join(&mut self, v: u32, w: u32) -> bool {
         let [v, w] = [v, w].map(|id| self.name(id));
         self.parents[v.max(w) as usize] = v.min(w);
+        v != w
     }
 
     /// The point that names the cluster.
-    pub(super) fn name(&mut self, v: u32) -> u32 {
+    pub(crate) fn name(&mut self, v: u32) -> u32 {
         let mut at = v;
         loop {
             let parent = self.parents[at as usize];

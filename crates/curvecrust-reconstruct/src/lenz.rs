@@ -1,0 +1,170 @@
+//! Lenz-like: after T. Lenz, "How to Sample and Reconstruct Curves with Unusual Features", European
+//! Workshop on Computational Geometry (EuroCG), 2006. Its text could not be had: this is a sketch
+//! of its idea.
+//!
+//! Two samples that are nearest to each other are a seed. From the shortest seed on, each grows at
+//! both of its ends: a probe lies in the direction of the last edge, within 60 degrees of it and as
+//! far as 2.4 times its length. The nearest sample in the probe is joined. The curve stops where the
+//! probe is empty, and where it meets an edge that is there already.
+//!
+//! A sample may be passed more than once, so curves may cross, and edges may: this is the only
+//! algorithm here whose edges are not among those of the Delaunay triangulation. No sampling
+//! condition is known to make it exact. Cost: O(n log n) for a search around each edge, where few
+//! samples are in a probe.
+
+use std::collections::HashSet;
+
+use curvecrust_geometry::point_set::by_coordinates;
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+
+use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
+use crate::neighbours::{HalfRule, neighbours};
+
+/// The cosine of 60 degrees, half the angle of a probe.
+const HALF_ANGLE: f64 = 0.5;
+
+/// The length of a probe, in lengths of the last edge.
+const LENGTH: f64 = 2.4;
+
+/// The edges of the Lenz-like algorithm; several curves may pass a sample.
+///
+/// ```
+/// use curvecrust_geometry::{DVec2, PointSet};
+/// use curvecrust_reconstruct::lenz;
+///
+/// // Two rows that cross in a sample of both.
+/// let row = |by: DVec2| (-10..=10).map(move |i| by * f64::from(i));
+/// let cross = row(DVec2::X).chain(row(DVec2::Y).filter(|&p| p != DVec2::ZERO));
+/// let edges = lenz(&PointSet::new(cross.collect())?);
+/// assert_eq!((edges.len(), edges.junctions()), (40, vec![10.into()]));
+/// # Ok::<(), curvecrust_geometry::PointSetError>(())
+/// ```
+#[must_use]
+pub fn lenz(points: &PointSet) -> EdgeSet {
+    let (points, ids) = &in_hilbert_order(points);
+    let mut growth = Growth::new(points);
+    for seed in seeds(points) {
+        if growth.add(seed) {
+            growth.grow(seed);
+            growth.grow([seed[1], seed[0]]);
+        }
+    }
+    let named = growth.edges.iter().filter_map(|&[p, q]| {
+        let [p, q] = [p, q].map(|v| ids[v.index()]);
+        Edge::new(p, q)
+    });
+    EdgeSet::new(points.len(), named)
+}
+
+/// Pairs of samples that are nearest to each other, the closest first.
+fn seeds(points: &PointSet) -> Vec<[PointId; 2]> {
+    let nearest: Vec<Option<PointId>> = neighbours(points, HalfRule::Bisector)
+        .iter()
+        .map(|found| found.nearest)
+        .collect();
+    let pairs = points.ids().filter_map(|p| {
+        let q = nearest[p.index()]?;
+        let [first, second] = in_place(points, [p, q]);
+        (nearest[q.index()] == Some(p) && p == first).then_some([first, second])
+    });
+    let mut seeds: Vec<[PointId; 2]> = pairs.collect();
+    let squared = |[p, q]: [PointId; 2]| points[p].distance_squared(points[q]);
+    seeds.sort_unstable_by(|&e, &f| {
+        let by_place = by_coordinates(points[e[0]], points[f[0]]);
+        squared(e).total_cmp(&squared(f)).then(by_place)
+    });
+    seeds
+}
+
+/// The pair, the one first that comes first by coordinates.
+fn in_place(points: &PointSet, [p, q]: [PointId; 2]) -> [PointId; 2] {
+    if by_coordinates(points[p], points[q]).is_le() {
+        [p, q]
+    } else {
+        [q, p]
+    }
+}
+
+struct Growth<'a> {
+    points: &'a PointSet,
+    tree: RTree<GeomWithData<[f64; 2], PointId>>,
+    /// Each as its lower and its higher id.
+    edges: HashSet<[PointId; 2]>,
+}
+
+impl<'a> Growth<'a> {
+    fn new(points: &'a PointSet) -> Self {
+        let place = |id: PointId| GeomWithData::new(points[id].to_array(), id);
+        Self {
+            points,
+            tree: RTree::bulk_load(points.ids().map(place).collect()),
+            edges: HashSet::new(),
+        }
+    }
+
+    /// Whether the edge is new.
+    fn add(&mut self, [p, q]: [PointId; 2]) -> bool {
+        self.edges.insert([p.min(q), p.max(q)])
+    }
+
+    /// Goes on from an edge, in its direction.
+    fn grow(&mut self, mut last: [PointId; 2]) {
+        while let Some(next) = self.probed(last) {
+            last = [last[1], next];
+            if !self.add(last) {
+                break;
+            }
+        }
+    }
+
+    /// The nearest sample in the probe of an edge; the first by coordinates of equally near ones.
+    fn probed(&self, [from, at]: [PointId; 2]) -> Option<PointId> {
+        let place = self.points[at];
+        let last = place - self.points[from];
+        let most = (LENGTH * LENGTH) * last.length_squared();
+        let mut best: Option<(f64, PointId)> = None;
+        for near in self.tree.nearest_neighbor_iter(place.into()) {
+            let step = DVec2::from(*near.geom()) - place;
+            let squared = step.length_squared();
+            if squared > best.map_or(most, |(nearest, _)| nearest) {
+                break;
+            }
+            let is_ahead = last.dot(step) >= HALF_ANGLE * last.length() * step.length();
+            let comes_first = best.is_none_or(|(_, other)| {
+                by_coordinates(self.points[near.data], self.points[other]).is_lt()
+            });
+            if near.data != at && is_ahead && comes_first {
+                best = Some((squared, near.data));
+            }
+        }
+        best.map(|(_, id)| id)
+    }
+}
+
+/// The Lenz-like algorithm behind the common contract.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lenz;
+
+impl Reconstructor for Lenz {
+    fn info(&self) -> AlgorithmInfo {
+        AlgorithmInfo {
+            basis: Basis::Argued,
+            scope: Scope {
+                crossings: true,
+                ..Scope::CLOSED_AND_OPEN
+            },
+            ..AlgorithmInfo::new(
+                "lenz-like",
+                "after Lenz: How to Sample and Reconstruct Curves with Unusual Features. \
+                 EuroCG 2006",
+                "O(n log n)",
+            )
+        }
+    }
+
+    fn reconstruct(&self, points: &PointSet) -> EdgeSet {
+        lenz(points)
+    }
+}
