@@ -1,6 +1,7 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
 use crate::compare::published;
+use crate::family;
 use crate::method;
 use crate::paper::figures::{self, PointSets};
 use crate::paper::models;
@@ -12,7 +13,9 @@ use crate::paper::models;
 pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     let images = images()?.into_iter();
     let images = images.map(|(name, text)| (name.to_owned(), text));
-    Ok(images.chain(published::made()?).collect())
+    let family = family::figures()?.into_iter();
+    let family = family.map(|(name, figure)| (name, figure.to_svg()));
+    Ok(images.chain(family).chain(published::made()?).collect())
 }
 
 /// Figures of the paper on our own curves and points, for the README, and those of

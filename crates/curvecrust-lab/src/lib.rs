@@ -14,6 +14,7 @@
 pub mod compare;
 pub mod docs;
 pub mod drawing;
+mod family;
 pub mod figure;
 mod method;
 pub mod noise;
