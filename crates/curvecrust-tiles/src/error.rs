@@ -42,6 +42,14 @@ pub enum TilesError {
         /// Their y coordinate.
         y: f64,
     },
+    /// A chain goes on in a tile whose pieces are missing.
+    #[error("the chain from point {from} goes on at point {to}, but no tile has that piece")]
+    NoPiece {
+        /// The last sample that is there.
+        from: u64,
+        /// The next one.
+        to: u64,
+    },
     /// A tile and its halo have more samples than a point set can hold.
     #[error("a tile of {count} points: make tiles of at most {}", u32::MAX - 1)]
     TooMany {

@@ -12,11 +12,13 @@
 //! | solve | [`solve_tile`] | [`Samples`], a halo, the loaded [`Area`] | [`Solved`]: edges, claims, open samples |
 //! | ask | [`resolve`] | a [`Query`] of each open sample, an [`Atlas`] | the claims of the open samples |
 //! | join | [`joined`] | the claims of all tiles | the edges that no tile could decide alone |
+//! | contract | [`pieces`] | the edges of a tile | [`Piece`]s: its chains, cut at the border, and their summaries |
+//! | link | [`join_pieces`] | the summaries of all tiles | whole [`Curve`]s, and the [`Place`] of each piece on its own |
 //!
 //! The edges of all tiles and the joined ones are, together and sorted, those of
 //! [`hnn_crust`](curvecrust_reconstruct::hnn_crust()) or
 //! [`nn_crust`](curvecrust_reconstruct::nn_crust()) for all points at once, bit for bit, whatever
-//! the tiles, their halos and the order of the steps. Ids are u64, so there may be more samples
+//! the tiles, their halos and the order of the steps; so are the chains. Ids are u64, so there may be more samples
 //! than a point set holds.
 //!
 //! ```
@@ -52,10 +54,14 @@
 mod area;
 mod atlas;
 mod claim;
+mod contract;
+mod curves;
 mod error;
+mod exact_sum;
 mod method;
 mod open_sample;
 mod partition;
+mod piece;
 mod query;
 mod resolve;
 mod sample;
@@ -64,10 +70,14 @@ mod tile;
 pub use area::Area;
 pub use atlas::Atlas;
 pub use claim::{Claim, joined};
+pub use contract::pieces;
+pub use curves::{Curve, CurveId, JoinedCurves, Place, join_pieces};
 pub use error::TilesError;
+pub use exact_sum::ExactSum;
 pub use method::Method;
 pub use open_sample::{Lack, OpenSample};
 pub use partition::{Axis, Cut, Partition};
+pub use piece::{Least, Piece, PieceSummary};
 pub use query::Query;
 pub use resolve::resolve;
 pub use sample::{Sample, Samples};

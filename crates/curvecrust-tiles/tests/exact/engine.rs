@@ -1,9 +1,12 @@
 //! An engine for tests: all tiles in memory, split and loaded in many ways.
 
+use std::collections::BTreeMap;
+
 use curvecrust_geometry::{DVec2, EdgeSet, PointId, PointSet, Progress, Random};
 use curvecrust_reconstruct::{HnnCrust, NnCrust, Reconstructor};
 use curvecrust_tiles::{
-    Area, Atlas, Method, Partition, Query, Sample, Samples, TilesError, joined, resolve, solve_tile,
+    Area, Atlas, Curve, CurveId, JoinedCurves, Method, Partition, Piece, Query, Sample, Samples,
+    TilesError, join_pieces, joined, pieces, resolve, solve_tile,
 };
 
 /// How points are split into tiles.
@@ -101,10 +104,60 @@ pub(crate) fn by_tiles(
     plan: Plan,
 ) -> Result<Vec<[u64; 2]>, TilesError> {
     let tiles = split(points, plan.split);
+    edges_of(&tiles, method, plan)
+}
+
+/// The chains by tiles, put together from their pieces.
+pub(crate) fn chains_by_tiles(
+    points: &[DVec2],
+    method: Method,
+    plan: Plan,
+) -> Result<Vec<(Curve, Vec<u64>)>, TilesError> {
+    let tiles = split(points, plan.split);
+    let edges = edges_of(&tiles, method, plan)?;
+    let of_tile = |(samples, _): &(Vec<Sample>, Option<Area>)| {
+        let ids: Vec<u64> = samples.iter().map(|s| s.id).collect();
+        pieces(&ids, &edges)
+    };
+    let all: Vec<Piece> = tiles.iter().rev().flat_map(of_tile).collect();
+    let place = |id: u64| points[usize::try_from(id).unwrap_or(0)];
+    let summaries: Vec<_> = all.iter().map(|piece| piece.summary(place)).collect();
+    let JoinedCurves { curves, places } = join_pieces(&summaries)?;
+    let mut chains: BTreeMap<CurveId, Vec<Option<u64>>> = curves
+        .iter()
+        .map(|curve| (curve.id, (0..curve.count).map(|_| None).collect()))
+        .collect();
+    for (piece, at) in all.iter().zip(places) {
+        let chain = chains.entry(at.curve).or_default();
+        let mut vertices = piece.vertices().to_vec();
+        if at.reversed {
+            vertices.reverse();
+        }
+        for (index, vertex) in (at.start..).zip(vertices) {
+            let index = usize::try_from(index).unwrap_or(0) % chain.len();
+            assert_eq!(
+                chain[index].replace(vertex),
+                None,
+                "two samples at one position"
+            );
+        }
+    }
+    let whole = |curve: Curve| {
+        let vertices = chains.remove(&curve.id).into_iter().flatten().flatten();
+        (curve, vertices.collect())
+    };
+    Ok(curves.into_iter().map(whole).collect())
+}
+
+fn edges_of(
+    tiles: &[(Vec<Sample>, Option<Area>)],
+    method: Method,
+    plan: Plan,
+) -> Result<Vec<[u64; 2]>, TilesError> {
     let (mut edges, mut claims, mut queries) = (Vec::new(), Vec::new(), Vec::new());
     let (mut areas, mut runs) = (Vec::new(), Vec::new());
     for number in 0..tiles.len() {
-        let (loaded, halo) = halo(&tiles, number, plan.halo);
+        let (loaded, halo) = halo(tiles, number, plan.halo);
         let owned = Samples::new(tiles[number].0.clone())?;
         let solved = solve_tile(&owned, &halo, loaded, method)?;
         let decided = solved.decided();

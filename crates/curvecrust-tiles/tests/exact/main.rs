@@ -1,5 +1,6 @@
 //! The edges by tiles are those of all points at once, whatever the tiles, halos and runs.
 
+mod chains;
 mod engine;
 
 use curvecrust_geometry::{DVec2, PointSet};
