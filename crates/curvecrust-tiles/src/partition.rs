@@ -158,6 +158,9 @@ fn cut(points: &mut [DVec2], cells: usize, cuts: &mut Vec<Option<Cut>>) {
     };
     points.sort_unstable_by(|p, q| axis.of(*p).total_cmp(&axis.of(*q)));
     let middle = points.partition_point(|p| axis.of(*p) < at);
+    // Points that do not differ may have made the shares unfair: then the cells are not halved.
+    let count = points.len().max(1);
+    let below = ((cells * middle + count / 2) / count).clamp(1, cells - 1);
     let (low, high) = points.split_at_mut(middle);
     cut(low, below, cuts);
     cut(high, cells - below, cuts);
