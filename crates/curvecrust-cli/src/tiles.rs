@@ -28,7 +28,7 @@ use curvecrust::tiles::{Method, Partition};
 use distribute::Chunks;
 use input::Input;
 use merge::Merge;
-use plan::{Folder, Job, Plan};
+use plan::{Folder, Job, Plan, Sizes};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -41,6 +41,15 @@ const BASE: u64 = 32 << 20;
 
 /// Bytes that are needed for each point of a tile: most while its neighbours are sought.
 const POINT: u64 = 128;
+
+/// Tiles of so many points, if memory holds them, are the fastest: larger ones leave the cache.
+const TILE: usize = 1 << 18;
+
+/// More tiles than this would leave too few points of each in a chunk: they are larger then.
+const MOST_TILES: usize = 1 << 11;
+
+/// Rows of a chunk for each point of a tile that memory holds: a row takes about half as much.
+const ROWS: usize = 2;
 
 /// The least memory that a run can be limited to.
 pub(crate) const LEAST_MEMORY: u64 = 2 * BASE;
@@ -65,12 +74,16 @@ pub(crate) struct Done {
 }
 
 impl Limits {
-    fn tile_points(self) -> usize {
+    /// The size of tiles and chunks, for so many points.
+    fn sizes(self, points: usize) -> Sizes {
         let fits = self.memory.saturating_sub(BASE) / POINT;
         let fits = usize::try_from(fits).unwrap_or(usize::MAX);
-        self.tile_points
-            .unwrap_or(fits)
-            .clamp(1, u32::MAX as usize / 4)
+        let fits = fits.clamp(1, u32::MAX as usize / 4);
+        let fast = TILE.max(points / MOST_TILES);
+        Sizes {
+            tile: self.tile_points.unwrap_or(fits.min(fast)),
+            chunk: ROWS * self.tile_points.unwrap_or(fits),
+        }
     }
 }
 
@@ -89,13 +102,14 @@ pub(crate) fn run(
     for note in input.notes() {
         console.note(format_args!("{name}: {note}"));
     }
-    let (points, tile_points) = (input.len(), limits.tile_points());
-    let job = Job::new(algorithm, points, tile_points, &input.metadata()?);
+    let points = input.len();
+    let sizes = limits.sizes(points);
+    let job = Job::new(algorithm, points, sizes, &input.metadata()?);
     let folder = Folder::open(folder)?;
     let plan = match folder.plan(&job)? {
         Some(plan) => plan,
         None => {
-            let survey = |progress: Progress<'_>| input.survey(tile_points, progress);
+            let survey = |progress: Progress<'_>| input.survey(sizes.tile, progress);
             let partition = console.during(&format!("reading {name}"), survey)?;
             let plan = Plan::new(job, &partition);
             folder.write_plan(&plan)?;
@@ -104,12 +118,12 @@ pub(crate) fn run(
     };
     let partition = plan.partition();
     let is_wide = points > u32::MAX as usize;
-    let chunks = Chunks::new(points, tile_points, partition.cells().len());
+    let chunks = Chunks::new(points, sizes.chunk, partition.cells().len());
     solved(
         &mut input, &folder, &partition, &chunks, method, is_wide, console,
     )?;
     let open = console.during("asking other tiles", |progress| {
-        join::join(&folder, &partition, method, tile_points, is_wide, progress)
+        join::join(&folder, &partition, method, sizes, is_wide, progress)
     })?;
     let edges = console.during("writing", |progress| {
         write(&folder, partition.cells().len(), is_wide, output, progress)

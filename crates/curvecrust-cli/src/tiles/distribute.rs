@@ -15,9 +15,6 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// Rows of a chunk for each point of a tile: a row takes about half as much memory.
-const ROWS: usize = 2;
-
 /// The chunks of a job.
 pub(super) struct Chunks {
     rows: usize,
@@ -26,9 +23,9 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    pub(super) fn new(points: usize, tile_points: usize, tiles: usize) -> Self {
+    pub(super) fn new(points: usize, rows: usize, tiles: usize) -> Self {
         Self {
-            rows: tile_points * ROWS,
+            rows,
             points,
             tiles,
         }
@@ -49,12 +46,13 @@ impl Chunks {
         let mut points = Vec::new();
         for number in 0..self.len() {
             let first = number * self.rows;
-            progress(first, self.points);
             let path = folder.chunk(number);
             if path.exists() {
                 continue;
             }
-            input.read(first, self.rows.min(self.points - first), &mut points)?;
+            points.clear();
+            let part = first..self.points.min(first + self.rows);
+            input.read_part(part, &mut points, progress)?;
             let (starts, samples) = sorted(&points, first as u64, partition);
             records::write(&path, |out| {
                 records::put_words(out, &[self.tiles as u64])?;

@@ -8,6 +8,7 @@ use curvecrust::DVec2;
 use curvecrust::geometry::Random;
 use curvecrust::tiles::Partition;
 use std::fs::Metadata;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Points that are looked at for each tile, so that the points of a tile are known within 12 %, as
@@ -17,7 +18,7 @@ const LOOKS: usize = 256;
 /// So many are looked at in all: few tiles may have more for each.
 const ALL_LOOKS: std::ops::RangeInclusive<usize> = 1 << 14..=1 << 20;
 
-/// Rows that are read at once where all of them are looked at.
+/// Rows after which progress is told.
 const BLOCK: usize = 1 << 16;
 
 /// The file of points.
@@ -69,7 +70,7 @@ impl Input {
         PointsError::new(name(&self.path), flaw).into()
     }
 
-    /// Reads some points, which replace those of `points`.
+    /// Reads some points and adds them to `points`.
     pub(super) fn read(
         &mut self,
         first: usize,
@@ -78,6 +79,21 @@ impl Input {
     ) -> anyhow::Result<()> {
         let read = self.rows.read(first, count, points);
         read.map_err(|flaw| self.flaw(flaw))
+    }
+
+    /// The same, and tells how many of all points are read.
+    pub(super) fn read_part(
+        &mut self,
+        part: Range<usize>,
+        points: &mut Vec<DVec2>,
+        progress: Progress<'_>,
+    ) -> anyhow::Result<()> {
+        points.reserve(part.len());
+        for first in part.clone().step_by(BLOCK) {
+            progress(first, self.count);
+            self.read(first, BLOCK.min(part.end - first), points)?;
+        }
+        Ok(())
     }
 
     /// Reads all points, checks them, and cuts the plane into tiles of about equally many.
@@ -103,6 +119,7 @@ impl Input {
         for first in (0..self.count).step_by(BLOCK) {
             progress(first, self.count);
             let count = BLOCK.min(self.count - first);
+            points.clear();
             self.read(first, count, &mut points)?;
             while let Some(row) = wanted.next_if(|&row| row < first + count) {
                 seen.push(points[row - first]);

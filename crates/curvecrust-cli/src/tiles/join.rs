@@ -1,7 +1,7 @@
 //! What no tile could decide alone: the choices of open samples, and edges across borders.
 
 use super::Progress;
-use super::plan::Folder;
+use super::plan::{Folder, Sizes};
 use super::records;
 use super::solve::{Counts, RUN, Rest, put_edges};
 use anyhow::Context;
@@ -12,8 +12,8 @@ use curvecrust::tiles::{
 use std::fs::File;
 use std::io::{self, Seek, SeekFrom};
 
-/// What a question takes in memory, as a share of what a point of a tile does.
-const QUESTION: usize = 4;
+/// Rows of a chunk that take as much memory as a question.
+const QUESTION: usize = 8;
 
 /// Where the runs of all tiles are, and the number of the first one of each.
 struct Runs<'a> {
@@ -28,7 +28,7 @@ pub(super) fn join(
     folder: &Folder,
     partition: &Partition,
     method: Method,
-    tile_points: usize,
+    sizes: Sizes,
     is_wide: bool,
     progress: Progress<'_>,
 ) -> anyhow::Result<u64> {
@@ -61,7 +61,7 @@ pub(super) fn join(
         claims.extend(rest.claims);
         let query = |open: OpenSample| Query::new(open, cell, method.rule);
         queries.extend(rest.open.into_iter().map(query));
-        if queries.len() >= tile_points / QUESTION || tile + 1 == cells.len() {
+        if queries.len() >= sizes.chunk / QUESTION || tile + 1 == cells.len() {
             let asked = std::mem::take(&mut queries);
             let count = asked.len();
             let of = usize::try_from(total).unwrap_or(usize::MAX);

@@ -25,12 +25,20 @@ pub(super) struct Job {
     pub(super) algorithm: String,
     /// The rows that are points.
     pub(super) points: u64,
-    /// About so many points of a tile.
-    pub(super) tile_points: u64,
+    pub(super) sizes: Sizes,
     /// The size of the input in bytes.
     pub(super) bytes: u64,
     /// When the input was changed: seconds and nanoseconds.
     pub(super) modified: (u64, u32),
+}
+
+/// How many points are worked on at once.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sizes {
+    /// About so many points of a tile.
+    pub(super) tile: usize,
+    /// The rows of a chunk.
+    pub(super) chunk: usize,
 }
 
 /// A job and its tiles.
@@ -42,12 +50,7 @@ pub(super) struct Plan {
 }
 
 impl Job {
-    pub(super) fn new(
-        algorithm: &str,
-        points: usize,
-        tile_points: usize,
-        input: &Metadata,
-    ) -> Self {
+    pub(super) fn new(algorithm: &str, points: usize, sizes: Sizes, input: &Metadata) -> Self {
         let modified = input.modified().ok();
         let modified = modified.and_then(|time| time.duration_since(UNIX_EPOCH).ok());
         let modified = modified.unwrap_or_default();
@@ -55,7 +58,7 @@ impl Job {
             version: VERSION,
             algorithm: algorithm.to_owned(),
             points: points as u64,
-            tile_points: tile_points as u64,
+            sizes,
             bytes: input.len(),
             modified: (modified.as_secs(), modified.subsec_nanos()),
         }
@@ -173,9 +176,8 @@ fn difference(theirs: &Job, ours: &Job) -> String {
         String::from("another version of this program made it")
     } else if theirs.algorithm != ours.algorithm {
         format!("it runs {}, not {}", theirs.algorithm, ours.algorithm)
-    } else if theirs.tile_points != ours.tile_points {
-        let [theirs, ours] = [theirs.tile_points, ours.tile_points];
-        format!("its tiles have {theirs} points, not {ours}, as another --memory makes them")
+    } else if theirs.bytes == ours.bytes && theirs.sizes != ours.sizes {
+        String::from("it has another --memory")
     } else {
         String::from("its input has another size or was changed at another time")
     }

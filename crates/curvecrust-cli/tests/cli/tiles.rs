@@ -195,6 +195,11 @@ fn a_folder_is_for_one_job() {
         error("--algorithm nn-crust"),
         format!("{start}it runs hnn-crust, not nn-crust{end}")
     );
+    let other_size = folder.run(&line.replace("100", "200"));
+    assert_eq!(
+        other_size.error(),
+        format!("{start}it has another --memory{end}")
+    );
     folder.write("p.npy", npy(&curves(999)));
     assert_eq!(
         error(""),

@@ -67,14 +67,13 @@ impl Rows {
         self.start + row as u64 * self.row_bytes() as u64
     }
 
-    /// Reads the points of some rows, all of which must be there; they replace those of `points`.
+    /// Reads the points of some rows, all of which must be there, and adds them to `points`.
     pub(crate) fn read(
         &mut self,
         first: usize,
         count: usize,
         points: &mut Vec<DVec2>,
     ) -> Result<(), Flaw> {
-        points.clear();
         points.reserve(count);
         let offset = self.offset(first);
         self.file.seek(SeekFrom::Start(offset))?;
