@@ -62,6 +62,8 @@ struct Step {
 
 /// Joins the pieces of all tiles, in any order, by their links.
 ///
+/// Pieces that are whole chains need no others: each can be given by itself, or left out.
+///
 /// Direction and start of every curve are those of the
 /// [`Chain`](curvecrust_geometry::Chain) with the same samples.
 ///

@@ -74,6 +74,13 @@ impl Piece {
         self.closed
     }
 
+    /// Whether the piece is a whole chain: its tile can make a curve of its summary alone, and only
+    /// the other pieces have to be joined across tiles.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.links == [None, None]
+    }
+
     /// What others need to know about the piece. `place` returns where a sample of the tile is.
     #[must_use]
     pub fn summary(&self, place: impl Fn(u64) -> DVec2) -> PieceSummary {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use curvecrust_geometry::{DVec2, EdgeSet, PointId, PointSet, Progress, Random};
 use curvecrust_reconstruct::{HnnCrust, NnCrust, Reconstructor};
 use curvecrust_tiles::{
-    Area, Atlas, Curve, CurveId, JoinedCurves, Method, Partition, Piece, Query, Sample, Samples,
-    TilesError, join_pieces, joined, pieces, resolve, solve_tile,
+    Area, Atlas, Curve, CurveId, Method, Partition, Piece, Query, Sample, Samples, TilesError,
+    join_pieces, joined, pieces, resolve, solve_tile,
 };
 
 /// How points are split into tiles.
@@ -121,8 +121,20 @@ pub(crate) fn chains_by_tiles(
     };
     let all: Vec<Piece> = tiles.iter().rev().flat_map(of_tile).collect();
     let place = |id: u64| points[usize::try_from(id).unwrap_or(0)];
-    let summaries: Vec<_> = all.iter().map(|piece| piece.summary(place)).collect();
-    let JoinedCurves { curves, places } = join_pieces(&summaries)?;
+    let (mut all, across): (Vec<Piece>, _) = all.into_iter().partition(Piece::is_whole);
+    // Whole curves are joined with nothing, each by itself; then what crosses borders.
+    let (mut curves, mut places) = (Vec::new(), Vec::new());
+    for piece in &all {
+        let alone = join_pieces(&[piece.summary(place)])?;
+        curves.extend(alone.curves);
+        places.extend(alone.places);
+    }
+    let summaries: Vec<_> = across.iter().map(|piece| piece.summary(place)).collect();
+    let joined = join_pieces(&summaries)?;
+    all.extend(across);
+    curves.extend(joined.curves);
+    places.extend(joined.places);
+    curves.sort_by_key(|curve| curve.id);
     let mut chains: BTreeMap<CurveId, Vec<Option<u64>>> = curves
         .iter()
         .map(|curve| (curve.id, (0..curve.count).map(|_| None).collect()))
