@@ -166,6 +166,15 @@ fn edges_of(
     method: Method,
     plan: Plan,
 ) -> Result<Vec<[u64; 2]>, TilesError> {
+    edges_and_reads(tiles, method, plan).map(|(edges, _)| edges)
+}
+
+/// The edges, and how many questions there were and how often a run was read.
+pub(crate) fn edges_and_reads(
+    tiles: &[(Vec<Sample>, Option<Area>)],
+    method: Method,
+    plan: Plan,
+) -> Result<(Vec<[u64; 2]>, [usize; 2]), TilesError> {
     let (mut edges, mut claims, mut queries) = (Vec::new(), Vec::new(), Vec::new());
     let (mut areas, mut runs) = (Vec::new(), Vec::new());
     for number in 0..tiles.len() {
@@ -182,7 +191,11 @@ fn edges_of(
         areas.extend(owned.run_areas(plan.run));
         runs.extend(samples.chunks(plan.run.max(1)).map(<[Sample]>::to_vec));
     }
-    let read = |run: usize| Ok::<_, TilesError>(runs[run].clone());
+    let mut counts = [queries.len(), 0];
+    let read = |run: usize| {
+        counts[1] += 1;
+        Ok::<_, TilesError>(runs[run].clone())
+    };
     claims.extend(resolve(
         queries,
         &Atlas::new(areas),
@@ -191,7 +204,7 @@ fn edges_of(
     )?);
     edges.extend(joined(claims, method.keep));
     edges.sort_unstable();
-    Ok(edges)
+    Ok((edges, counts))
 }
 
 /// The same edges as pairs of numbers.

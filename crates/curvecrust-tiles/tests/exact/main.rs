@@ -4,10 +4,11 @@ mod chains;
 mod engine;
 
 use curvecrust_geometry::{DVec2, PointSet};
-use curvecrust_testing::hard_points::{HARD_POINTS, grid, shuffled, spiral};
+use curvecrust_testing::fixtures;
+use curvecrust_testing::hard_points::{HARD_POINTS, grid, line, shuffled, spiral};
 use curvecrust_testing::strategies::{any_points, even_runs, point_set};
 use curvecrust_tiles::{Method, TilesError};
-use engine::{Plan, Split, by_tiles, in_memory, pairs};
+use engine::{Plan, Split, by_tiles, edges_and_reads, in_memory, pairs, split};
 use proptest::prelude::*;
 
 /// Cases of each of the two properties: 10,000 in all in a release build.
@@ -93,6 +94,22 @@ fn hard_points_in_tiles_of_any_size() {
 }
 
 #[test]
+fn every_fixture_of_points() {
+    for (name, points) in fixtures::points() {
+        let points = point_set(points);
+        for (cells, halo) in [(3, 0.0), (20, 0.0), (20, 1e-2), (500, 0.0)] {
+            let split = Split::Cells(cells);
+            let plan = Plan {
+                split,
+                halo,
+                run: 32,
+            };
+            assert_exact(&points, plan, &name);
+        }
+    }
+}
+
+#[test]
 fn ties_on_borders() {
     let points = point_set(shuffled(grid(400)));
     for width in [1.0, 2.0, 5.0] {
@@ -126,6 +143,39 @@ fn one_curve_across_all_tiles() {
             "spiral",
         );
     }
+}
+
+/// Of what lies beyond an open end, few runs are read.
+#[test]
+fn an_open_end_does_not_read_the_world() {
+    let counts = |points: Vec<DVec2>, cells| {
+        let plan = Plan {
+            split: Split::Cells(cells),
+            halo: 0.0,
+            run: 25,
+        };
+        let found = edges_and_reads(&split(&points, plan.split), Method::HNN_CRUST, plan);
+        found.map(|(_, counts)| counts)
+    };
+    // 900 arcs of 40 points each: about 1500 runs, of which each question reads two or three.
+    let arc = |k: u32| {
+        let centre = DVec2::new(f64::from(k % 30), f64::from(k / 30)) * 3.0;
+        let angle = move |i: u32| f64::from(i) * 0.1 + f64::from(k);
+        (0..40).map(move |i| centre + DVec2::from_angle(angle(i)))
+    };
+    let arcs = (0..900).flat_map(arc).collect();
+    let Ok([questions, reads]) = counts(shuffled(arcs), 900) else {
+        panic!("the points are valid");
+    };
+    assert!(
+        questions > 900 && reads < 3 * questions,
+        "{reads} for {questions}"
+    );
+    // Three samples at each of 99 borders read a run; nothing lies beyond the two ends.
+    let Ok([questions, reads]) = counts(line(10_000), 100) else {
+        panic!("the points are valid");
+    };
+    assert_eq!([questions, reads], [299, 297]);
 }
 
 #[test]
