@@ -73,7 +73,8 @@ struct Step {
 ///
 /// // The ring 0-1-2-3 of a unit square; one tile has 1 and 2, the other 3 and 0.
 /// let edges = [[0, 1], [1, 2], [2, 3], [0, 3]];
-/// let corner = |id: u64| DVec2::from([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)][id as usize]);
+/// let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+/// let corner = |id: u64| DVec2::from(corners[id as usize]);
 /// let all = [pieces(&[1, 2], &edges), pieces(&[3, 0], &edges)].concat();
 /// let summaries: Vec<_> = all.iter().map(|piece| piece.summary(corner)).collect();
 /// let joined = join_pieces(&summaries)?;

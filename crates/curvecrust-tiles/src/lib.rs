@@ -6,20 +6,20 @@
 //! steps as pure functions; it reads no files, moves no data and starts no workers. The program
 //! `curvecrust reconstruct --tiles` runs them on one machine.
 //!
-//! | step | by | from | to |
-//! |---|---|---|---|
-//! | cut | [`Partition`] | some of the points | cells with about equally many samples |
-//! | solve | [`solve_tile`] | [`Samples`], a halo, the loaded [`Area`] | [`Solved`]: edges, claims, open samples |
-//! | ask | [`resolve`] | a [`Query`] of each open sample, an [`Atlas`] | the claims of the open samples |
-//! | join | [`joined`] | the claims of all tiles | the edges that no tile could decide alone |
-//! | contract | [`pieces`] | the edges of a tile | [`Piece`]s: its chains, cut at the border, and their summaries |
-//! | link | [`join_pieces`] | the summaries of all tiles | whole [`Curve`]s, and the [`Place`] of each piece on its own |
+//! | step | by | what it does |
+//! |---|---|---|
+//! | cut | [`Partition`] | makes cells with about equally many of some points |
+//! | solve | [`solve_tile`] | finds edges, claims and open samples, from [`Samples`] and a halo |
+//! | ask | [`resolve`] | takes each [`Query`] to where an [`Atlas`] says; finds claims |
+//! | join | [`joined`] | makes the edges that no tile could decide alone from the claims of all |
+//! | contract | [`pieces`] | makes [`Piece`]s of the edges of a tile: chains, cut at the border |
+//! | link | [`join_pieces`] | makes whole [`Curve`]s, and finds the [`Place`] of each piece |
 //!
 //! The edges of all tiles and the joined ones are, together and sorted, those of
 //! [`hnn_crust`](curvecrust_reconstruct::hnn_crust()) or
 //! [`nn_crust`](curvecrust_reconstruct::nn_crust()) for all points at once, bit for bit, whatever
-//! the tiles, their halos and the order of the steps; so are the chains. Ids are u64, so there may be more samples
-//! than a point set holds.
+//! the tiles, their halos and the order of the steps; so are the chains. Ids are u64, so there may
+//! be more samples than a point set holds.
 //!
 //! ```
 //! use curvecrust_geometry::{DVec2, Progress};

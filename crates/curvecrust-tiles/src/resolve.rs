@@ -21,7 +21,7 @@ use crate::sample::Sample;
 /// ```
 /// use curvecrust_geometry::{DVec2, Progress};
 /// use curvecrust_reconstruct::neighbours::HalfRule;
-/// use curvecrust_tiles::{Area, Atlas, Claim, Lack, OpenSample, Query, Sample, TilesError, resolve};
+/// use curvecrust_tiles::*;
 ///
 /// let sample = |id, x| Sample { id, point: DVec2::new(x, 0.0) };
 /// let elsewhere = [vec![sample(7, 50.0), sample(8, 2.0)], vec![sample(9, -3.0)]];
@@ -33,9 +33,9 @@ use crate::sample::Sample;
 ///     half: None,
 /// };
 /// let query = Query::new(alone, Area::NOTHING, HalfRule::Bisector);
-/// let claims = resolve(vec![query], &Atlas::new(areas.collect()), Progress::default(), |area| {
-///     Ok::<_, TilesError>(elsewhere[area].clone())
-/// })?;
+/// let atlas = Atlas::new(areas.collect());
+/// let read = |area: usize| Ok::<_, TilesError>(elsewhere[area].clone());
+/// let claims = resolve(vec![query], &atlas, Progress::default(), read)?;
 /// assert_eq!(claims, [Claim { from: 0, to: 8 }, Claim { from: 0, to: 9 }]);
 /// # Ok::<(), TilesError>(())
 /// ```

@@ -72,8 +72,8 @@ impl Chunks {
             self.part(&path, tile, &mut samples).with_context(|| {
                 let tile = folder.result(tile);
                 format!(
-                    "{} is missing, and {}, from which it is made, cannot be read: delete the folder \
-                     and start again",
+                    "{} is missing, and {}, from which it is made, cannot be read: delete the \
+                     folder and start again",
                     tile.display(),
                     path.display()
                 )

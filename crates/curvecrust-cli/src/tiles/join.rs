@@ -34,7 +34,7 @@ pub(super) fn join(
 ) -> anyhow::Result<u64> {
     let path = folder.joined();
     if path.exists() {
-        return Ok(Counts::open(&path, is_wide)?.0.open);
+        return Ok(Counts::open(&path, is_wide)?.0.samples);
     }
     let cells = partition.cells();
     let mut runs = Runs {
@@ -72,7 +72,9 @@ pub(super) fn join(
         }
     }
     let edges = joined(claims, method.keep);
+    // Of no tile: the samples are those that were open.
     let counts = Counts {
+        samples: total,
         edges: edges.len() as u64,
         ..Counts::default()
     };

@@ -146,14 +146,16 @@ fn a_run_that_was_killed_goes_on() {
     let written = fs::metadata(&first)
         .and_then(|found| found.modified())
         .unwrap();
-    folder.run(line).fine();
+    let first_run = folder.run(line);
+    let said = first_run.stderr.clone();
+    first_run.fine();
     assert!(fs::read(folder.path().join("tiled.npy")).unwrap() == expected);
     let again = fs::metadata(&first)
         .and_then(|found| found.modified())
         .unwrap();
     assert_eq!(written, again, "what was finished is kept");
     // And once more, when all is done.
-    folder.run(line).fine();
+    assert_eq!(folder.run(line).stderr, said);
     assert!(fs::read(folder.path().join("tiled.npy")).unwrap() == expected);
 }
 
