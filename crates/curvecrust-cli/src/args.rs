@@ -2,13 +2,16 @@
 
 mod fit;
 mod known;
+mod tiles;
 mod values;
 
 pub(crate) use fit::Fit;
 pub(crate) use known::Known;
+pub(crate) use tiles::Tiles;
 pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
 
 use crate::format::Format;
+use clap::builder::ArgPredicate;
 use clap::{ArgGroup, Parser, Subcommand};
 use clap_complete::Shell;
 use std::num::NonZeroUsize;
@@ -88,15 +91,25 @@ Examples: find the curves of a point file and look at them; the outline through 
 the points of a third sorted along a line
   curvecrust reconstruct points.csv -o found.svg
   curvecrust reconstruct outline.csv --closed --curves 1 -o outline.svg
-  curvecrust reconstruct track.csv --open --curves 1 -o sorted.csv")]
+  curvecrust reconstruct track.csv --open --curves 1 -o sorted.csv
+Points that memory cannot hold:
+  curvecrust reconstruct big.npy --tiles folder --memory 2GB -o edges.npy")]
 pub(crate) struct Reconstruct {
     #[command(flatten)]
     pub(crate) points: Points,
     /// The algorithm: see `curvecrust algorithms`
-    #[arg(long, value_name = "NAME", default_value = "least-detour", value_parser = algorithm())]
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "least-detour",
+        default_value_if("tiles", ArgPredicate::IsPresent, "hnn-crust"),
+        value_parser = algorithm()
+    )]
     pub(crate) algorithm: Algorithm,
     #[command(flatten)]
     pub(crate) known: Known,
+    #[command(flatten)]
+    pub(crate) tiles: Tiles,
     #[command(flatten)]
     pub(crate) output: Output,
     /// Print one JSON object to stdout

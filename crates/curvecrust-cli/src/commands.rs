@@ -26,6 +26,7 @@ use serde::Serialize;
 pub(crate) enum Job {
     Sample(sample::Job),
     Reconstruct(reconstruct::Job),
+    Tiled(reconstruct::tiled::Job),
     /// By far the largest.
     Fit(Box<fit::Job>),
     Check(check::Job),
@@ -43,7 +44,10 @@ impl Job {
     pub(crate) fn new(command: Command) -> anyhow::Result<Self> {
         Ok(match command {
             Command::Sample(args) => Self::Sample(sample::Job::new(args)?),
-            Command::Reconstruct(args) => Self::Reconstruct(reconstruct::Job::new(args)?),
+            Command::Reconstruct(args) => match args.tiles.tiles.clone() {
+                Some(folder) => Self::Tiled(reconstruct::tiled::Job::new(args, folder)?),
+                None => Self::Reconstruct(reconstruct::Job::new(args)?),
+            },
             Command::Fit(args) => Self::Fit(Box::new(fit::Job::new(args)?)),
             Command::Check(args) => Self::Check(check::Job::new(args)?),
             Command::Evaluate(args) => Self::Evaluate(args.into()),
@@ -64,6 +68,7 @@ impl Job {
         match self {
             Self::Sample(job) => job.run(console),
             Self::Reconstruct(job) => job.run(console),
+            Self::Tiled(job) => job.run(console),
             Self::Fit(job) => job.run(console),
             Self::Check(job) => job.run(console),
             Self::Evaluate(job) => job.run(console),

@@ -87,7 +87,7 @@ impl Progress {
             while stopped.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 if shown.is_hidden() {
                     let template = match shown.length() {
-                        Some(_) => "{spinner} {msg} {bar:30} {percent} % ({elapsed})",
+                        Some(_) => "{spinner} {msg} {bar:30} {percent} % ({elapsed}, {eta} left)",
                         None => "{spinner} {msg} ({elapsed})",
                     };
                     let style = ProgressStyle::with_template(template);

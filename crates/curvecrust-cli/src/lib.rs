@@ -15,6 +15,7 @@ mod number;
 mod output;
 mod points;
 mod threads;
+mod tiles;
 
 use args::Cli;
 use clap::Parser;

@@ -7,7 +7,7 @@ mod geojson;
 mod gpx;
 mod json;
 mod json_text;
-mod npy;
+pub(crate) mod npy;
 mod obj;
 mod quote;
 mod records;

@@ -17,6 +17,7 @@ use search::NONE;
 use tree::Tree;
 
 pub use edges::Keep;
+pub use half_plane::HalfPlane;
 
 /// The two points to which a point of a curve may be joined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

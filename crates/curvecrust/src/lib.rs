@@ -38,6 +38,7 @@
 //! | [`medial_axis`] | medial axis, local feature size, reach |
 //! | [`sampling`] | samples under the epsilon and the rho condition, and how good given samples are |
 //! | [`mod@reconstruct`] | least detour, HNN-Crust, NN-Crust, Crust and their relatives |
+//! | [`tiles`] | HNN-Crust and NN-Crust on more points than memory holds |
 //! | [`evaluate`] | edges against the truth, Hausdorff distance |
 //!
 //! # Features
@@ -58,6 +59,7 @@ pub use curvecrust_geometry as geometry;
 pub use curvecrust_medial_axis as medial_axis;
 pub use curvecrust_reconstruct as reconstruct;
 pub use curvecrust_sampling as sampling;
+pub use curvecrust_tiles as tiles;
 pub use curvecrust_voronoi as voronoi;
 pub use glam;
 

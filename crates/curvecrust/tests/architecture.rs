@@ -21,6 +21,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     // An algorithm sees bare points: neither curves nor what is derived from them.
     ("reconstruct", &["geometry", "voronoi"]),
     ("denoise", &["geometry", "voronoi", "reconstruct"]),
+    ("tiles", &["geometry", "reconstruct"]),
     // Samples are verified by an algorithm; nothing leads back.
     (
         "sampling",
@@ -41,6 +42,7 @@ const ALL_BUT_FACADE: &[&str] = &[
     "evaluate",
     "reconstruct",
     "denoise",
+    "tiles",
 ];
 
 /// What is no library: it may use every library, and nothing uses it.

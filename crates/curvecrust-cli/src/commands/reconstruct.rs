@@ -4,6 +4,7 @@ mod hints;
 pub(super) mod polygons;
 mod result;
 mod summary;
+pub(super) mod tiled;
 mod why;
 
 use super::Outcome;

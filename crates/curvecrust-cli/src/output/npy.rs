@@ -28,6 +28,28 @@ pub(crate) fn write_f64(
     Ok(())
 }
 
+/// Writes pairs of point numbers one by one, given how many there are: as 32 bit unsigned integers,
+/// or as 64 bit ones where there are more points.
+pub(crate) struct Pairs<'a> {
+    out: &'a mut dyn Write,
+    is_wide: bool,
+}
+
+impl<'a> Pairs<'a> {
+    pub(crate) fn new(out: &'a mut dyn Write, rows: usize, is_wide: bool) -> io::Result<Self> {
+        header(out, if is_wide { "<u8" } else { "<u4" }, rows)?;
+        Ok(Self { out, is_wide })
+    }
+
+    pub(crate) fn write(&mut self, pair: [u64; 2]) -> io::Result<()> {
+        let bytes = if self.is_wide { 8 } else { 4 };
+        for number in pair {
+            self.out.write_all(&number.to_le_bytes()[..bytes])?;
+        }
+        Ok(())
+    }
+}
+
 /// Version 1.0; the numbers start at a multiple of 64 bytes.
 fn header(out: &mut dyn Write, descr: &str, rows: usize) -> io::Result<()> {
     let fields = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({rows}, 2), }}");

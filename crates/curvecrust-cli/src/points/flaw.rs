@@ -102,6 +102,8 @@ pub(crate) enum Problem {
     LongHeader(usize),
     #[error("`fortran_order` is `{0}`: it has to be True or False")]
     Order(String),
+    #[error("the array is stored by columns: save it by rows, as numpy.ascontiguousarray has it")]
+    ByColumns,
     #[error("the array is cut off before the end of its {rows} rows")]
     Truncated { rows: usize },
     #[error("the file goes on after the {rows} rows of its array")]

@@ -5,10 +5,12 @@
 //! columns.
 
 mod header;
+mod rows;
 
 use super::{Flaw, Place, PointList, Problem, in_double_range};
 use curvecrust::DVec2;
 use header::{Header, Number};
+pub(crate) use rows::Rows;
 use std::io::{ErrorKind, Read};
 
 /// Numbers read at once.
@@ -17,6 +19,10 @@ const CHUNK: usize = 8192;
 pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
     let header = header::read(&mut reader)?;
     let Header { rows, columns, .. } = header;
+    if rows > u32::MAX as usize {
+        let shape = format!("{rows}, {columns}");
+        return Err(Problem::Shape(shape).into());
+    }
     // A header may promise more than follows: no more is reserved than was read.
     let mut points: Vec<DVec2> = Vec::new();
     let mut index = 0;

@@ -71,6 +71,7 @@ fn every_other_bad_input_has_a_test() {
         include_str!("bad_documents.rs"),
         include_str!("bad_input.rs"),
         include_str!("files.rs"),
+        include_str!("tiles.rs"),
     ]
     .concat();
     let rows = rows(

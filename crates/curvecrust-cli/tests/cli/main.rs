@@ -23,3 +23,4 @@ mod python;
 mod reconstruct;
 mod sample;
 mod tables;
+mod tiles;

@@ -63,3 +63,11 @@ fn every_output_is_written_within_64_bytes_a_point() {
         assert!(beyond < 64.0, "{format}: {beyond} bytes a point");
     }
 }
+
+#[test]
+fn tiles_stay_within_their_memory() {
+    let folder = Folder::with("many.npy", circles(1000));
+    let line = "reconstruct many.npy --tiles work --memory 64MiB --quiet --threads 2";
+    let peak = peak(&folder, line);
+    assert!(peak < 64 << 20, "{peak} bytes");
+}

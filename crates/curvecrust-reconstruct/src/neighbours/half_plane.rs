@@ -14,8 +14,19 @@ pub(super) const ERROR: f64 = 8.0 * (f64::EPSILON / 2.0);
 ///
 /// With a = q - s and b = n0 - s, a point q lies in it iff a.b < b.b / 2 (bisector rule, open) or
 /// a.b <= 0 (right-angle rule, closed).
+///
+/// ```
+/// use curvecrust_geometry::DVec2;
+/// use curvecrust_reconstruct::neighbours::{HalfPlane, HalfRule};
+///
+/// let at = |x| DVec2::new(x, 1.0);
+/// let plane = HalfPlane::new(HalfRule::Bisector, at(0.0), at(1.0));
+/// assert!(plane.contains(at(0.25)) && !plane.contains(at(0.5)));
+/// let plane = HalfPlane::new(HalfRule::RightAngle, at(0.0), at(1.0));
+/// assert!(plane.contains(at(0.0)) && !plane.contains(at(0.25)));
+/// ```
 #[derive(Clone, Copy, Debug)]
-pub(super) struct HalfPlane {
+pub struct HalfPlane {
     rule: HalfRule,
     s: DVec2,
     n0: DVec2,
@@ -26,8 +37,10 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
+    /// The half-plane of a point `s` with the nearest neighbour `n0`.
     #[inline(always)]
-    pub(super) fn new(rule: HalfRule, s: DVec2, n0: DVec2) -> Self {
+    #[must_use]
+    pub fn new(rule: HalfRule, s: DVec2, n0: DVec2) -> Self {
         let normal = n0 - s;
         Self {
             rule,
@@ -36,6 +49,12 @@ impl HalfPlane {
             normal,
             threshold: threshold(rule, normal.length_squared()),
         }
+    }
+
+    /// The direction into the half-plane, away from the nearest neighbour: its signs are exact.
+    #[must_use]
+    pub fn inwards(&self) -> DVec2 {
+        -self.normal
     }
 
     /// How far `q` lies beyond the boundary, rounded, and a bound on the error.
@@ -57,7 +76,8 @@ impl HalfPlane {
 
     /// Whether `q` lies in the half-plane: exact for the coordinates of a point set.
     #[inline(always)]
-    pub(super) fn contains(&self, q: DVec2) -> bool {
+    #[must_use]
+    pub fn contains(&self, q: DVec2) -> bool {
         let [excess, error] = self.excess(q);
         if excess.abs() > error {
             excess < 0.0

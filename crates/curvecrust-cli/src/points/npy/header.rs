@@ -10,6 +10,9 @@ use std::io::{ErrorKind, Read};
 /// NumPy itself refuses longer headers unless they are trusted.
 const LONGEST: usize = 1 << 16;
 
+/// No file system holds so many.
+const MOST_ROWS: u64 = 1 << 56;
+
 /// How the numbers of an array are stored.
 pub(super) struct Header {
     pub(super) number: Number,
@@ -137,7 +140,7 @@ fn shape_of(shape: &str) -> Result<(usize, usize), Problem> {
         _ => (None, 0),
     };
     // More rows than a point set holds are refused there; here they must not overflow.
-    match rows.filter(|&rows: &usize| rows <= u32::MAX as usize) {
+    match rows.filter(|&rows: &usize| rows as u64 <= MOST_ROWS) {
         Some(rows) => Ok((rows, columns)),
         None => Err(Problem::Shape(quoted(inside.as_bytes()))),
     }

@@ -1,0 +1,196 @@
+//! Points that memory cannot hold, reconstructed tile by tile in a folder.
+//!
+//! The steps are those of `curvecrust-tiles`; this is what reads and writes. Each step leaves files
+//! behind, which are there completely or not at all, and does what an earlier run has not done: a
+//! run that was killed goes on where it stopped.
+//!
+//! | step | file | what for |
+//! |---|---|---|
+//! | survey | [`input`], [`plan`] | reads all points, checks them, and cuts the plane into tiles |
+//! | distribute | [`distribute`] | sorts the rows by tiles, chunk by chunk |
+//! | solve | [`solve`] | finds the edges of each tile, and what it cannot decide |
+//! | join | [`join`] | asks the tiles for what is open |
+//! | merge | [`merge`] | writes the edges of all |
+
+mod distribute;
+mod input;
+mod join;
+mod merge;
+mod plan;
+mod records;
+mod solve;
+
+use crate::console::Console;
+use crate::output::Output;
+use crate::output::npy::Pairs;
+use anyhow::Context;
+use curvecrust::tiles::{Method, Partition};
+use distribute::Chunks;
+use input::Input;
+use merge::Merge;
+use plan::{Folder, Job, Plan, Sizes};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Hears how much of how much is done.
+type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// Bytes that the program takes whatever the points are.
+const BASE: u64 = 32 << 20;
+
+/// Bytes that are needed for each point of a tile: most while its neighbours are sought.
+const POINT: u64 = 128;
+
+/// Tiles of so many points, if memory holds them, are the fastest: larger ones leave the cache.
+const TILE: usize = 1 << 18;
+
+/// More tiles than this would leave too few points of each in a chunk: they are larger then.
+const MOST_TILES: usize = 1 << 11;
+
+/// Rows of a chunk for each point of a tile that memory holds: a row takes about half as much.
+const ROWS: usize = 2;
+
+/// The least memory that a run can be limited to.
+pub(crate) const LEAST_MEMORY: u64 = 2 * BASE;
+
+/// How a job is divided.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Bytes of memory that may be used.
+    pub(crate) memory: u64,
+    /// Points of a tile; `None`: as many as the memory allows.
+    pub(crate) tile_points: Option<usize>,
+}
+
+/// What was done.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Done {
+    pub(crate) points: usize,
+    pub(crate) tiles: usize,
+    /// Samples whose choice their tile did not know.
+    pub(crate) open: u64,
+    pub(crate) edges: u64,
+}
+
+impl Limits {
+    /// The size of tiles and chunks, for so many points.
+    fn sizes(self, points: usize) -> Sizes {
+        let fits = self.memory.saturating_sub(BASE) / POINT;
+        let fits = usize::try_from(fits).unwrap_or(usize::MAX);
+        let fits = fits.clamp(1, u32::MAX as usize / 4);
+        let fast = TILE.max(points / MOST_TILES);
+        Sizes {
+            tile: self.tile_points.unwrap_or(fits.min(fast)),
+            chunk: ROWS * self.tile_points.unwrap_or(fits),
+        }
+    }
+}
+
+/// Reconstructs the points of a file in a folder, and writes the edges.
+pub(crate) fn run(
+    input: &Path,
+    folder: &Path,
+    algorithm: &str,
+    method: Method,
+    limits: Limits,
+    output: &Output,
+    console: &Console,
+) -> anyhow::Result<Done> {
+    let name = crate::input::name(input);
+    let mut input = Input::open(input)?;
+    for note in input.notes() {
+        console.note(format_args!("{name}: {note}"));
+    }
+    let points = input.len();
+    let sizes = limits.sizes(points);
+    let job = Job::new(algorithm, points, sizes, &input.metadata()?);
+    let folder = Folder::open(folder)?;
+    let plan = match folder.plan(&job)? {
+        Some(plan) => plan,
+        None => {
+            let survey = |progress: Progress<'_>| input.survey(sizes.tile, progress);
+            let partition = console.during(&format!("reading {name}"), survey)?;
+            let plan = Plan::new(job, &partition);
+            folder.write_plan(&plan)?;
+            plan
+        }
+    };
+    let partition = plan.partition();
+    let is_wide = points > u32::MAX as usize;
+    let chunks = Chunks::new(points, sizes.chunk, partition.cells().len());
+    solved(
+        &mut input, &folder, &partition, &chunks, method, is_wide, console,
+    )?;
+    let open = console.during("asking other tiles", |progress| {
+        join::join(&folder, &partition, method, sizes, is_wide, progress)
+    })?;
+    let edges = console.during("writing", |progress| {
+        write(&folder, partition.cells().len(), is_wide, output, progress)
+    })?;
+    Ok(Done {
+        points,
+        tiles: partition.cells().len(),
+        open,
+        edges,
+    })
+}
+
+/// Sees to it that every tile is solved.
+fn solved(
+    input: &mut Input,
+    folder: &Folder,
+    partition: &Partition,
+    chunks: &Chunks,
+    method: Method,
+    is_wide: bool,
+    console: &Console,
+) -> anyhow::Result<()> {
+    let mut tiles = 0..partition.cells().len();
+    // Without any result, chunks are missing because they are not written yet.
+    if !tiles.clone().any(|tile| folder.result(tile).exists()) {
+        console.during("sorting by tiles", |progress| {
+            chunks.write(input, folder, partition, progress)
+        })?;
+    }
+    if !tiles.all(|tile| folder.result(tile).exists()) {
+        console.during("solving tiles", |progress| {
+            solve::solve(chunks, folder, partition, method, is_wide, progress)
+        })?;
+    }
+    for path in (0..chunks.len()).map(|number| folder.chunk(number)) {
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                let context = || format!("cannot remove {}", path.display());
+                return Err(error).with_context(context);
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Writes the edges of all tiles; returns their number.
+fn write(
+    folder: &Folder,
+    tiles: usize,
+    is_wide: bool,
+    output: &Output,
+    progress: Progress<'_>,
+) -> anyhow::Result<u64> {
+    let merge = Merge::open(folder, tiles, is_wide)?;
+    let count = merge.count;
+    let total = usize::try_from(count)?;
+    output.write(|out| {
+        let mut pairs = Pairs::new(out, total, is_wide)?;
+        let mut done = 0;
+        merge.run(|edge| {
+            if done % (1 << 16) == 0 {
+                progress(done, total);
+            }
+            done += 1;
+            pairs.write(edge)
+        })
+    })?;
+    Ok(count)
+}

@@ -1,0 +1,165 @@
+//! From the edges of a tile to pieces of chains.
+
+use crate::piece::Piece;
+
+/// The neighbours of the samples of a tile.
+struct Graph {
+    /// The ids, ascending; a sample's index is its position here.
+    ids: Vec<u64>,
+    /// Neighbours of the sample at index v: `to[first[v]..first[v + 1]]`.
+    first: Vec<usize>,
+    to: Vec<Neighbour>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Neighbour {
+    /// The index of a sample of the tile.
+    Inside(usize),
+    /// The id of a sample of another one.
+    Outside(u64),
+}
+
+/// The chains of the samples of a tile, cut where they leave it and at junctions, sorted.
+///
+/// `ids` are those of the samples of the tile, in any order; `edges` are all edges with at least
+/// one end among them, each once, in any order. Edges without such an end are left out. Every edge
+/// between two samples of the tile is in exactly one piece, and every other one is the link of one.
+/// A sample without an edge is in none.
+///
+/// ```
+/// use curvecrust_tiles::pieces;
+///
+/// // A chain 1-2-3-4-5, of which this tile has 2, 3 and 5.
+/// let found = pieces(&[2, 3, 5], &[[1, 2], [2, 3], [3, 4], [4, 5]]);
+/// assert_eq!(found[0].vertices(), [2, 3]);
+/// assert_eq!(found[0].links(), [Some(1), Some(4)]);
+/// assert_eq!((found[1].vertices(), found[1].links()), (&[5][..], [None, Some(4)]));
+/// ```
+#[must_use]
+pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
+    let graph = Graph::new(ids, edges);
+    let mut found = Vec::new();
+    let mut is_inner = vec![false; graph.ids.len()];
+    let stops = (0..graph.ids.len()).filter(|&v| graph.is_stop(v));
+    for stop in stops {
+        for &to in graph.of(stop) {
+            match to {
+                Neighbour::Inside(second) => {
+                    let path = graph.walk(stop, second);
+                    for &v in &path[1..path.len() - 1] {
+                        is_inner[v] = true;
+                    }
+                    // Each path is walked from both of its ends and kept once.
+                    if path.iter().le(path.iter().rev()) {
+                        found.push(graph.piece(&path, false));
+                    }
+                }
+                Neighbour::Outside(link) => found.extend(graph.alone(stop, link)),
+            }
+        }
+    }
+    for start in 0..graph.ids.len() {
+        if !is_inner[start]
+            && !graph.is_stop(start)
+            && let [Neighbour::Inside(second), _] = *graph.of(start)
+        {
+            let mut ring = graph.walk(start, second);
+            ring.pop();
+            for &v in &ring {
+                is_inner[v] = true;
+            }
+            found.push(graph.piece(&ring, true));
+        }
+    }
+    found.sort_unstable();
+    found
+}
+
+impl Graph {
+    fn new(ids: &[u64], edges: &[[u64; 2]]) -> Self {
+        let mut ids = ids.to_vec();
+        ids.sort_unstable();
+        ids.dedup();
+        let index = |id: &u64| ids.binary_search(id).ok();
+        let mut pairs: Vec<(usize, u64)> = Vec::with_capacity(2 * edges.len());
+        for [p, q] in edges {
+            pairs.extend(index(p).map(|at| (at, *q)));
+            pairs.extend(index(q).map(|at| (at, *p)));
+        }
+        // Smaller neighbours come first.
+        pairs.sort_unstable();
+        pairs.dedup();
+        let mut first = vec![0; ids.len() + 1];
+        for &(at, _) in &pairs {
+            first[at + 1] += 1;
+        }
+        for at in 1..first.len() {
+            first[at] += first[at - 1];
+        }
+        let neighbour = |(_, id): &(usize, u64)| match index(id) {
+            Some(at) => Neighbour::Inside(at),
+            None => Neighbour::Outside(*id),
+        };
+        let to = pairs.iter().map(neighbour).collect();
+        Self { ids, first, to }
+    }
+
+    fn of(&self, v: usize) -> &[Neighbour] {
+        &self.to[self.first[v]..self.first[v + 1]]
+    }
+
+    /// Whether pieces end at a sample.
+    fn is_stop(&self, v: usize) -> bool {
+        !matches!(self.of(v), [Neighbour::Inside(_), Neighbour::Inside(_)])
+    }
+
+    /// From a sample by way of a second one to the next stop, or back to the first.
+    fn walk(&self, start: usize, second: usize) -> Vec<usize> {
+        let mut path = vec![start, second];
+        let (mut from, mut at) = (start, second);
+        while at != start && !self.is_stop(at) {
+            let [Neighbour::Inside(p), Neighbour::Inside(q)] = *self.of(at) else {
+                break;
+            };
+            (from, at) = (at, if p == from { q } else { p });
+            path.push(at);
+        }
+        path
+    }
+
+    /// The link of a chain that does not end at a stop: to the neighbour outside, the other of two.
+    fn link(&self, stop: usize) -> Option<u64> {
+        match *self.of(stop) {
+            [Neighbour::Outside(id), Neighbour::Inside(_)]
+            | [Neighbour::Inside(_), Neighbour::Outside(id)] => Some(id),
+            _ => None,
+        }
+    }
+
+    fn piece(&self, path: &[usize], closed: bool) -> Piece {
+        let end = |at: Option<&usize>| at.and_then(|&at| self.link(at));
+        Piece {
+            vertices: path.iter().map(|&at| self.ids[at]).collect(),
+            links: [end(path.first()), end(path.last())],
+            closed,
+        }
+    }
+
+    /// The piece of a single sample that goes with a link, if there is one that is not found by
+    /// way of another link or neighbour.
+    fn alone(&self, v: usize, link: u64) -> Option<Piece> {
+        let links = match *self.of(v) {
+            [Neighbour::Outside(before), Neighbour::Outside(after)] => {
+                // Found by way of each.
+                (link == before).then_some([Some(before), Some(after)])?
+            }
+            [_, _] => return None,
+            _ => [None, Some(link)],
+        };
+        Some(Piece {
+            vertices: vec![self.ids[v]],
+            links,
+            closed: false,
+        })
+    }
+}
