@@ -5,7 +5,9 @@
 use libfuzzer_sys::fuzz_target;
 
 /// The last has none: it is guessed.
-const EXTENSIONS: [&str; 8] = ["csv", "xy", "json", "geojson", "npy", "svg", "wkt", ""];
+const EXTENSIONS: [&str; 10] = [
+    "csv", "xy", "json", "geojson", "npy", "svg", "wkt", "gpx", "kml", "",
+];
 
 fuzz_target!(|input: (u8, &[u8])| {
     let (which, bytes) = input;

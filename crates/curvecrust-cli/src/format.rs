@@ -18,6 +18,8 @@ pub(crate) enum Format {
     Wkt,
     /// Exchange format of GPS receivers
     Gpx,
+    /// Places and tracks of Google Earth
+    Kml,
     /// Vertices of Wavefront
     Obj,
     /// Drawing exchange format, of AutoCAD R12
@@ -34,17 +36,32 @@ impl Format {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Some(match extension.as_str() {
             "csv" | "tsv" => Self::Csv,
-            "xy" | "txt" | "p2d" => Self::Text,
+            "xy" | "txt" | "dat" | "p2d" => Self::Text,
             "json" => Self::Json,
             "geojson" => Self::Geojson,
             "wkt" => Self::Wkt,
             "gpx" => Self::Gpx,
+            "kml" => Self::Kml,
             "obj" => Self::Obj,
             "dxf" => Self::Dxf,
             "svg" => Self::Svg,
             "npy" => Self::Npy,
             _ => return None,
         })
+    }
+
+    /// The format of the ending of a name, if it tells more than that there is text.
+    pub(crate) fn of_content_named(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "txt" | "dat" => None,
+            _ => Self::of_name(path),
+        }
+    }
+
+    /// Whether it is no text.
+    pub(crate) fn is_binary(self) -> bool {
+        matches!(self, Self::Npy)
     }
 
     /// The name by which `--from` and `--to` know it.
@@ -56,6 +73,7 @@ impl Format {
             Self::Geojson => "geojson",
             Self::Wkt => "wkt",
             Self::Gpx => "gpx",
+            Self::Kml => "kml",
             Self::Obj => "obj",
             Self::Dxf => "dxf",
             Self::Svg => "svg",

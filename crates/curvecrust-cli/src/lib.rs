@@ -73,7 +73,8 @@ pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
     let list = Source::new(io::Cursor::new(bytes))
         .map_err(Flaw::from)
         .and_then(|source| {
-            points::read_source(source, Format::of_name(&path), &points::Wanted::default())
+            let named = Format::of_content_named(&path);
+            points::read_source(source, None, named, &points::Wanted::default())
         });
     match list {
         Ok(list) => Ok(list.points.len()),

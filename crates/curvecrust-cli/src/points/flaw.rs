@@ -55,6 +55,17 @@ pub(crate) enum Problem {
     NoPoints,
     #[error("the text is UTF-16: save it as UTF-8")]
     Utf16,
+    #[error("this is {what}: {advice}")]
+    Foreign {
+        what: &'static str,
+        advice: &'static str,
+    },
+    #[error("this is binary data of a kind that is not known")]
+    Binary,
+    #[error("this is {}, not {}: leave out --from", .format.name(), .asked.name())]
+    Asked { asked: Format, format: Format },
+    #[error("this is XML of `{0}`: of XML, svg, gpx and kml hold points")]
+    OtherXml(String),
     #[error("points cannot be read from {}: use {}", .0.name(), format::listed(super::FORMATS))]
     Unreadable(Format),
     #[error("`{0}` is not a number")]
@@ -108,6 +119,8 @@ pub(crate) enum Problem {
     Trailing { rows: usize },
     #[error("this is no GPX document")]
     NotGpx,
+    #[error("this is no KML document")]
+    NotKml,
     #[error("this is no well-known text")]
     NotWkt,
     #[error("this is no well-known text: {0}")]

@@ -70,6 +70,7 @@ fn every_other_bad_input_has_a_test() {
     let tests = [
         include_str!("bad_documents.rs"),
         include_str!("bad_input.rs"),
+        include_str!("content.rs"),
         include_str!("files.rs"),
     ]
     .concat();

@@ -8,6 +8,7 @@
 
 mod bad_documents;
 mod bad_input;
+mod content;
 mod curves;
 mod docs;
 mod drawings;
