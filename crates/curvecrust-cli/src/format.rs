@@ -28,6 +28,20 @@ pub(crate) enum Format {
     Svg,
     /// NumPy array
     Npy,
+    /// Archive of NumPy arrays
+    Npz,
+    /// Polygon file format, of scanners
+    Ply,
+    /// Well-known binary
+    Wkb,
+    /// Shapefile
+    Shapefile,
+    /// Scans, compressed (LAZ) or not
+    Las,
+    /// FlatGeobuf
+    Flatgeobuf,
+    /// Parquet, GeoParquet as well
+    Parquet,
 }
 
 impl Format {
@@ -46,6 +60,13 @@ impl Format {
             "dxf" => Self::Dxf,
             "svg" => Self::Svg,
             "npy" => Self::Npy,
+            "npz" => Self::Npz,
+            "ply" => Self::Ply,
+            "wkb" | "ewkb" => Self::Wkb,
+            "shp" => Self::Shapefile,
+            "las" | "laz" => Self::Las,
+            "fgb" => Self::Flatgeobuf,
+            "parquet" | "geoparquet" => Self::Parquet,
             _ => return None,
         })
     }
@@ -61,7 +82,31 @@ impl Format {
 
     /// Whether it is no text.
     pub(crate) fn is_binary(self) -> bool {
-        matches!(self, Self::Npy)
+        self == Self::Npy || self.is_of_feature()
+    }
+
+    /// Whether its reader is one that the program can be built without.
+    pub(crate) fn is_of_feature(self) -> bool {
+        match self {
+            Self::Npz
+            | Self::Ply
+            | Self::Wkb
+            | Self::Shapefile
+            | Self::Las
+            | Self::Flatgeobuf
+            | Self::Parquet => true,
+            Self::Csv
+            | Self::Text
+            | Self::Json
+            | Self::Geojson
+            | Self::Wkt
+            | Self::Gpx
+            | Self::Kml
+            | Self::Obj
+            | Self::Dxf
+            | Self::Svg
+            | Self::Npy => false,
+        }
     }
 
     /// The name by which `--from` and `--to` know it.
@@ -78,6 +123,13 @@ impl Format {
             Self::Dxf => "dxf",
             Self::Svg => "svg",
             Self::Npy => "npy",
+            Self::Npz => "npz",
+            Self::Ply => "ply",
+            Self::Wkb => "wkb",
+            Self::Shapefile => "shapefile",
+            Self::Las => "las",
+            Self::Flatgeobuf => "flatgeobuf",
+            Self::Parquet => "parquet",
         }
     }
 }

@@ -3,6 +3,8 @@
 mod columns;
 mod content;
 mod csv_records;
+#[cfg(feature = "flatgeobuf")]
+mod flatgeobuf;
 mod flaw;
 mod gathered;
 mod geojson;
@@ -10,16 +12,26 @@ mod gpx;
 mod json;
 mod json_text;
 mod kml;
+#[cfg(feature = "las")]
+mod las;
 mod npy;
+#[cfg(feature = "npz")]
+mod npz;
 mod obj;
+#[cfg(feature = "ply")]
+mod ply;
 mod quote;
 mod records;
 mod separator;
+#[cfg(feature = "shapefile")]
+mod shapefile;
 mod svg;
 mod system;
 mod table;
 mod text_records;
 mod value;
+#[cfg(feature = "wkb")]
+mod wkb;
 mod wkt;
 
 pub(crate) use columns::ColumnNames;
@@ -45,6 +57,18 @@ pub(crate) const FORMATS: &[Format] = &[
     Format::Obj,
     Format::Npy,
     Format::Svg,
+    #[cfg(feature = "npz")]
+    Format::Npz,
+    #[cfg(feature = "ply")]
+    Format::Ply,
+    #[cfg(feature = "wkb")]
+    Format::Wkb,
+    #[cfg(feature = "shapefile")]
+    Format::Shapefile,
+    #[cfg(feature = "las")]
+    Format::Las,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
 ];
 
 /// What was read from a file.
@@ -92,7 +116,14 @@ pub(crate) fn read_source(
     }
     let format = content::format_of(&mut source, asked, named)?;
     let names = wanted.columns.as_ref();
-    if names.is_some() && !matches!(format, Format::Csv | Format::Text) {
+    let has_columns = [
+        Format::Csv,
+        Format::Text,
+        Format::Npz,
+        Format::Ply,
+        Format::Parquet,
+    ];
+    if names.is_some() && !has_columns.contains(&format) {
         return Err(Problem::NoTable(format).into());
     }
     let list = match format {
@@ -106,6 +137,19 @@ pub(crate) fn read_source(
         Format::Kml => kml::read(&source.into_bytes()?, wanted),
         Format::Obj => obj::read(&source.into_bytes()?),
         Format::Svg => svg::read(&source.into_bytes()?),
+        #[cfg(feature = "npz")]
+        Format::Npz => npz::read(source.into_seekable()?, names),
+        #[cfg(feature = "ply")]
+        Format::Ply => ply::read(source.into_reader(), names),
+        #[cfg(feature = "wkb")]
+        Format::Wkb => wkb::read(&source.into_bytes()?, wanted),
+        #[cfg(feature = "shapefile")]
+        Format::Shapefile => shapefile::read(source, wanted),
+        #[cfg(feature = "las")]
+        Format::Las => las::read(source.into_seekable()?, wanted),
+        #[cfg(feature = "flatgeobuf")]
+        Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), wanted),
+        other if other.is_of_feature() => Err(Problem::LeftOut(other).into()),
         other => Err(Problem::Unreadable(other).into()),
     }?;
     if list.points.is_empty() {

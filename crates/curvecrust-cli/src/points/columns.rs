@@ -1,6 +1,6 @@
 //! Which columns of a table hold the coordinates.
 
-use super::quote::listed;
+use super::quote::{left_out, listed};
 use super::records::Records;
 use super::system::DEGREES;
 use super::{Flaw, Place, Problem};
@@ -68,7 +68,7 @@ impl Columns {
         let heights = columns.filter(|&column| is_one_of(header.field(column), HEIGHTS));
         let heights: Vec<&[u8]> = heights.map(|column| header.field(column)).collect();
         if !heights.is_empty() {
-            notes.push(format!("{} is left out", listed(heights.into_iter())));
+            notes.push(left_out(heights.into_iter()));
         }
         (!notes.is_empty()).then(|| notes.join("; "))
     }

@@ -65,6 +65,7 @@ fn looks_like(source: &mut Source) -> Result<Option<Format>, Flaw> {
         line if starts_json(line) => Some(Format::Json),
         line if starts_vertex(line) => Some(Format::Obj),
         line if starts_geometry(line) => Some(Format::Wkt),
+        line if starts_hexadecimal(line) => Some(Format::Wkb),
         line if line == b"0" && starts_section(head) => Some(Format::Dxf),
         _ => None,
     })
@@ -107,6 +108,14 @@ fn starts_geometry(line: &[u8]) -> bool {
     let follows = [&b"("[..], b"Z", b"M", b"EMPTY"];
     line.starts_with(b"SRID=")
         || NAMES.contains(&name) && follows.iter().any(|start| rest.starts_with(start))
+}
+
+/// Whether a line is well-known binary in hexadecimal digits, as databases print it: an order of
+/// bytes, 0 or 1, and so many digits that they are no number.
+fn starts_hexadecimal(line: &[u8]) -> bool {
+    line.len() > 30
+        && (line.starts_with(b"00") || line.starts_with(b"01"))
+        && line.iter().all(u8::is_ascii_hexdigit)
 }
 
 /// Whether a line is a vertex of Wavefront OBJ: a `v` and numbers.

@@ -17,6 +17,7 @@ pub(super) struct Gathered {
     /// Where the reader is; positions are counted here.
     place: Place,
     has_heights: bool,
+    has_measures: bool,
     /// Lines whose last vertex, which repeats the first, was left out.
     closed_lines: usize,
     /// The different reference systems that were named.
@@ -31,6 +32,7 @@ impl Gathered {
             vertices: wanted.vertices,
             place: Place::File,
             has_heights: false,
+            has_measures: false,
             closed_lines: 0,
             systems: Vec::new(),
             notes: Vec::new(),
@@ -97,6 +99,11 @@ impl Gathered {
         self.has_heights |= has_height;
     }
 
+    /// Notes whether what was taken has a measure, the fourth coordinate of maps.
+    pub(super) fn measure(&mut self, has_measure: bool) {
+        self.has_measures |= has_measure;
+    }
+
     /// Notes the reference system of what was taken.
     pub(super) fn system(&mut self, system: System) {
         if self.systems.len() <= MOST_SYSTEMS && !self.systems.contains(&system) {
@@ -114,6 +121,9 @@ impl Gathered {
         notes.extend(system_note(&self.systems));
         if self.has_heights {
             notes.push("heights are left out".to_owned());
+        }
+        if self.has_measures {
+            notes.push("measures are left out".to_owned());
         }
         notes.extend(match self.closed_lines {
             0 => None,

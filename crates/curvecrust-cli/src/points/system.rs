@@ -1,5 +1,7 @@
 //! Coordinate reference systems, as far as files name them.
 
+use super::quote::quoted;
+
 /// What a note says about longitude and latitude.
 pub(super) const DEGREES: &str = "lengths are in degrees";
 
@@ -26,5 +28,32 @@ impl System {
             name: format!("SRID {srid}"),
             is_geographic: GEOGRAPHIC.contains(&srid),
         }
+    }
+}
+
+impl System {
+    /// That of a code of EPSG.
+    pub(super) fn of_epsg(code: u32) -> Self {
+        Self {
+            name: format!("EPSG:{code}"),
+            is_geographic: GEOGRAPHIC.contains(&code),
+        }
+    }
+
+    /// That of the text which describes it in `.prj` files and scans, of either version; `None` if
+    /// the text is none of these.
+    pub(super) fn of_wkt(text: &str) -> Option<Self> {
+        let has = |keyword: &str| text.contains(&format!("{keyword}["));
+        let any = |keywords: &[&str]| keywords.iter().any(|keyword| has(keyword));
+        let is_projected = any(&["PROJCS", "PROJCRS", "PROJECTEDCRS"]);
+        let is_geographic = any(&["GEOGCS", "GEOGCRS", "GEODCRS", "GEOGRAPHICCRS"]);
+        if !is_projected && !is_geographic && !any(&["LOCAL_CS", "ENGCRS", "GEOCCS"]) {
+            return None;
+        }
+        let name = text.split('"').nth(1)?;
+        Some(Self {
+            name: quoted(name.trim().as_bytes()),
+            is_geographic: is_geographic && !is_projected,
+        })
     }
 }

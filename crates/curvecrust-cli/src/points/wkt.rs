@@ -114,10 +114,12 @@ fn take_lines(found: &mut Gathered, geometry: &Wkt<f64>) -> Result<(), Flaw> {
 fn take_line(found: &mut Gathered, line: &LineString<f64>) -> Result<(), Flaw> {
     let coords = line.coords();
     found.height(coords.iter().any(|coord| coord.z.is_some()));
+    found.measure(coords.iter().any(|coord| coord.m.is_some()));
     found.line(coords.iter().map(|coord| Ok([coord.x, coord.y])))
 }
 
 fn take(found: &mut Gathered, coord: &Coord<f64>) -> Result<(), Flaw> {
     found.height(coord.z.is_some());
+    found.measure(coord.m.is_some());
     found.point(coord.x, coord.y)
 }

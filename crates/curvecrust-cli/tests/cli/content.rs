@@ -35,7 +35,7 @@ fn files_of_other_kinds_are_named_and_never_quoted() {
     package.extend(b"GPKG");
     assert_eq!(
         error("p.gpkg", package),
-        "p.gpkg: this is a GeoPackage: save its layer as GeoJSON"
+        "p.gpkg: this is a GeoPackage: save its layer as GeoJSON, FlatGeobuf or GeoParquet"
     );
 }
 
@@ -104,7 +104,8 @@ fn content_decides_what_text_is() {
     assert!(error_of.starts_with("error: p.txt, line 1"), "{error_of}");
     assert_eq!(
         error("p.txt", "0\nSECTION\n2\n"),
-        "p.txt: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, kml, obj, npy or svg"
+        "p.txt: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, kml, obj, npy, svg, npz, ply, wkb, shapefile, \
+         las or flatgeobuf"
     );
     assert_eq!(
         error("p.xml", "<?xml version='1.0'?>\n<o:osm/>"),

@@ -4,14 +4,20 @@ use crate::harness::{Folder, json};
 use serde_json::json;
 
 /// The points that `reconstruct` reads, and what it says.
-fn read(name: &str, content: &str, options: &str) -> (serde_json::Value, String) {
+#[track_caller]
+pub(crate) fn read(
+    name: &str,
+    content: impl AsRef<[u8]>,
+    options: &str,
+) -> (serde_json::Value, String) {
     let folder = Folder::with(name, content);
     let run = folder.run(&format!("reconstruct {name} --json {options}"));
     let stderr = run.stderr.clone();
     (json(&run.fine())["points"].clone(), stderr)
 }
 
-fn error(name: &str, content: &str, options: &str) -> String {
+#[track_caller]
+pub(crate) fn error(name: &str, content: impl AsRef<[u8]>, options: &str) -> String {
     let folder = Folder::with(name, content);
     folder.run(&format!("reconstruct {name} {options}")).error()
 }
@@ -99,7 +105,7 @@ fn places_of_google_earth() {
         )
     };
     for name in ["map.kml", "map", "map.txt"] {
-        let (points, said) = read(name, &kml(&(place.to_owned() + track)), "");
+        let (points, said) = read(name, kml(&(place.to_owned() + track)), "");
         assert_eq!(points, json!([[11.5, 48.1], [7.0, 8.0]]));
         let note = "x is the longitude, y the latitude: lengths are in degrees";
         assert!(
@@ -108,11 +114,11 @@ fn places_of_google_earth() {
         );
     }
     assert_eq!(
-        error("map.kml", &kml(line), ""),
+        error("map.kml", kml(line), ""),
         "error: map.kml, line 4: it holds a LineString, which is no point: pass --vertices to take \
          its vertices"
     );
-    let (points, said) = read("map.kml", &kml(&(line.to_owned() + ring)), "--vertices");
+    let (points, said) = read("map.kml", kml(&(line.to_owned() + ring)), "--vertices");
     assert_eq!(
         points,
         json!([

@@ -33,10 +33,10 @@ pub(super) fn find(head: &[u8]) -> Option<Magic> {
     }
     if head.starts_with(b"ply") {
         let follows = head.get(3).is_some_and(|byte| b"\r\n".contains(byte));
-        return follows.then_some(Magic::Foreign {
-            what: "a PLY model",
-            advice: ARRAY,
-        });
+        return follows.then_some(Magic::Readable(Format::Ply));
+    }
+    if is_well_known_binary(head) {
+        return Some(Magic::Readable(Format::Wkb));
     }
     let mut readable = READABLE.iter();
     if let Some((_, format)) = readable.find(|(start, _)| head.starts_with(start)) {
@@ -47,15 +47,21 @@ pub(super) fn find(head: &[u8]) -> Option<Magic> {
     Some(Magic::Foreign { what, advice })
 }
 
-const READABLE: &[(&[u8], Format)] = &[(b"\x93NUMPY", Format::Npy)];
+const READABLE: &[(&[u8], Format)] = &[
+    (b"\x93NUMPY", Format::Npy),
+    (b"\0\0\x27\x0a", Format::Shapefile),
+    (b"LASF", Format::Las),
+    (b"fgb\x03fgb", Format::Flatgeobuf),
+    (b"PAR1", Format::Parquet),
+];
 
 const UNPACK: &str = "unpack it first";
 const TRACE: &str = "trace it with a drawing program, and save the drawing as SVG";
 const SHEET: &str = "save its sheet as CSV";
 const ARRAY: &str = "save the points as CSV or as a NumPy array";
-const MAP: &str = "save its layer as GeoJSON";
+const MAP: &str = "save its layer as GeoJSON, FlatGeobuf or GeoParquet";
 const DRAWING: &str = "save it as SVG";
-const SCAN: &str = "save its points as text";
+const SCAN: &str = "save it as LAS or PLY";
 
 const GEOPACKAGE: Magic = Magic::Foreign {
     what: "a GeoPackage",
@@ -67,10 +73,6 @@ const DATABASE: Magic = Magic::Foreign {
 };
 
 const FOREIGN: &[(&[u8], &str, &str)] = &[
-    (b"\0\0\x27\x0a", "a Shapefile", MAP),
-    (b"LASF", "a LAS scan", ARRAY),
-    (b"fgb\x03fgb", "a FlatGeobuf map", "save it as GeoJSON"),
-    (b"PAR1", "a Parquet table", "save it as CSV"),
     (b"PK\x05\x06", "an empty zip archive", UNPACK),
     (b"\x1f\x8b", "compressed by gzip", UNPACK),
     (b"BZh", "compressed by bzip2", UNPACK),
@@ -103,12 +105,12 @@ const FOREIGN: &[(&[u8], &str, &str)] = &[
     (b"\x80\x03", "a Python pickle", ARRAY),
     (b"\x80\x04", "a Python pickle", ARRAY),
     (b"\x80\x05", "a Python pickle", ARRAY),
-    (b"ARROW1", "an Arrow file", "save it as CSV"),
-    (b"FEA1", "a Feather file", "save it as CSV"),
+    (b"ARROW1", "an Arrow file", "save it as Parquet"),
+    (b"FEA1", "a Feather file", "save it as Parquet"),
     (b"PARE", "an encrypted Parquet file", "decrypt it first"),
-    (b"ORC", "an ORC file", "save it as CSV"),
-    (b"Obj\x01", "an Avro file", "save it as CSV"),
-    (b"glTF", "a binary glTF model", "save it as OBJ"),
+    (b"ORC", "an ORC file", "save it as Parquet"),
+    (b"Obj\x01", "an Avro file", "save it as Parquet"),
+    (b"glTF", "a binary glTF model", "save it as PLY or OBJ"),
     (b"ASTM-E57", "an E57 scan", SCAN),
     (b"# .PCD", "a PCD scan", SCAN),
     (b"\x7fELF", "a program", ARRAY),
@@ -122,11 +124,21 @@ const fn picture(what: &'static str) -> Magic {
     }
 }
 
+/// Whether the first bytes are those of a geometry: an order of bytes, and a type by it.
+fn is_well_known_binary(head: &[u8]) -> bool {
+    let (flags, high, low) = match *head {
+        [1, low, high, 0, flags, ..] | [0, flags, 0, high, low, ..] => (flags, high, low),
+        _ => return false,
+    };
+    let kind = u16::from_be_bytes([high, low]);
+    flags & 0x1f == 0 && matches!(kind % 1000, 1..=7) && kind < 4000
+}
+
 /// What a zip archive holds, by the names of what comes first in it.
 fn archive(head: &[u8]) -> Magic {
     let has = |name: &[u8]| head.windows(name.len()).any(|window| window == name);
     let (what, advice) = if has(b".npy") {
-        ("an archive of NumPy arrays", ARRAY)
+        return Magic::Readable(Format::Npz);
     } else if has(b"[Content_Types].xml") || has(b"xl/workbook") {
         ("an Excel workbook or its like", SHEET)
     } else if has(b"mimetypeapplication/vnd.oasis") {
