@@ -341,7 +341,8 @@ pub(crate) struct Reading {
     /// The column of a table that holds y [default: y, lat, latitude or northing]
     #[arg(long, value_name = "NAME", requires = "points", requires = "x")]
     pub(crate) y: Option<String>,
-    /// Take the vertices of lines and polygons for points, in geojson, wkt and kml
+    /// Take the vertices of lines and polygons for points, in maps: geojson, wkt, wkb, kml,
+    /// shapefile, flatgeobuf and geoparquet
     #[arg(long, requires = "points")]
     pub(crate) vertices: bool,
     /// Take equal points for one, instead of refusing them

@@ -18,6 +18,8 @@ mod npy;
 #[cfg(feature = "npz")]
 mod npz;
 mod obj;
+#[cfg(feature = "parquet")]
+mod parquet;
 #[cfg(feature = "ply")]
 mod ply;
 mod quote;
@@ -69,6 +71,8 @@ pub(crate) const FORMATS: &[Format] = &[
     Format::Las,
     #[cfg(feature = "flatgeobuf")]
     Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
 ];
 
 /// What was read from a file.
@@ -149,6 +153,8 @@ pub(crate) fn read_source(
         Format::Las => las::read(source.into_seekable()?, wanted),
         #[cfg(feature = "flatgeobuf")]
         Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), wanted),
+        #[cfg(feature = "parquet")]
+        Format::Parquet => parquet::read(source.into_seekable()?, wanted),
         other if other.is_of_feature() => Err(Problem::LeftOut(other).into()),
         other => Err(Problem::Unreadable(other).into()),
     }?;

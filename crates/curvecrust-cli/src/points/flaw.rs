@@ -159,6 +159,14 @@ pub(crate) enum Problem {
     Las(String),
     #[error("it promises {points} points, more than 64 times its size and 64 MiB can unpack to")]
     Promise { points: u64 },
+    #[error("the table cannot be read: {0}")]
+    Parquet(String),
+    #[error("the column `{name}` is compressed by {codec}: use Snappy, Zstandard or LZ4_RAW")]
+    Codec { name: String, codec: String },
+    #[error("the column `{name}` is of the type {found}: coordinates are numbers")]
+    ColumnType { name: String, found: String },
+    #[error("the column `{name}` has no number")]
+    NoNumber { name: String },
     #[error("this is no FlatGeobuf: {0}")]
     Flatgeobuf(String),
     #[error("this is no Shapefile: {0}")]

@@ -57,3 +57,34 @@ impl System {
         })
     }
 }
+
+impl System {
+    /// One of longitudes and latitudes.
+    pub(super) fn of_longitudes(name: &str) -> Option<Self> {
+        let name = name.to_owned();
+        let is_geographic = true;
+        Some(Self {
+            name,
+            is_geographic,
+        })
+    }
+
+    /// That of an object of PROJJSON; `None` if it has no name.
+    pub(super) fn of_json(value: &serde_json::Value) -> Option<Self> {
+        let kind = |value: &serde_json::Value| match value["type"].as_str() {
+            // Of several axes, those of the plane come first.
+            Some("CompoundCRS") => value["components"][0]["type"].as_str().map(str::to_owned),
+            Some("BoundCRS") => value["source_crs"]["type"].as_str().map(str::to_owned),
+            kind => kind.map(str::to_owned),
+        };
+        let name = match value["type"].as_str() {
+            Some("BoundCRS") => value["source_crs"]["name"].as_str()?,
+            _ => value["name"].as_str()?,
+        };
+        let kind = kind(value);
+        Some(Self {
+            name: quoted(name.as_bytes()),
+            is_geographic: matches!(kind.as_deref(), Some("GeographicCRS" | "GeodeticCRS")),
+        })
+    }
+}

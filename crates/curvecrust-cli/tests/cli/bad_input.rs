@@ -332,7 +332,7 @@ fn formats_that_hold_no_points() {
     assert_eq!(
         error("p.dxf", "0\n"),
         "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, kml, obj, npy, svg, npz, ply, wkb, shapefile, \
-         las or flatgeobuf"
+         las, flatgeobuf or parquet"
     );
 }
 

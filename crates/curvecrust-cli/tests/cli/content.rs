@@ -105,7 +105,7 @@ fn content_decides_what_text_is() {
     assert_eq!(
         error("p.txt", "0\nSECTION\n2\n"),
         "p.txt: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, kml, obj, npy, svg, npz, ply, wkb, shapefile, \
-         las or flatgeobuf"
+         las, flatgeobuf or parquet"
     );
     assert_eq!(
         error("p.xml", "<?xml version='1.0'?>\n<o:osm/>"),

@@ -10,6 +10,8 @@
 mod archives;
 mod bad_documents;
 mod bad_input;
+#[cfg(feature = "parquet")]
+mod columns;
 mod content;
 mod curves;
 mod docs;
