@@ -6,6 +6,20 @@
 //! the readers can be fuzzed and Python can run it, and promises nothing but [`main`] and
 //! [`run_on`]: depend on `curvecrust`.
 
+// What readers share is there for each of them.
+#![cfg_attr(
+    not(all(
+        feature = "flatgeobuf",
+        feature = "las",
+        feature = "npz",
+        feature = "parquet",
+        feature = "ply",
+        feature = "shapefile",
+        feature = "wkb"
+    )),
+    allow(dead_code, reason = "what the readers of other features use")
+)]
+
 mod args;
 mod commands;
 mod console;

@@ -3,8 +3,10 @@
 
 use super::gathered::Gathered;
 use super::json_text::parse;
+use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
+use serde_json::Value;
 
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let mut found = Gathered::new(wanted);
@@ -17,6 +19,10 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
             geometry.try_for_each(|g| collect(&mut found, g))?;
         }
         GeoJson::FeatureCollection(collection) => {
+            let members = collection.foreign_members.as_ref();
+            if let Some(system) = members.and_then(|members| system(members.get("crs")?)) {
+                found.system(system);
+            }
             for (index, feature) in collection.features.iter().enumerate() {
                 found.go_to(Place::Position(Some(index + 1), 0));
                 let mut geometry = feature.geometry.iter();
@@ -25,6 +31,19 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
         }
     }
     Ok(found.finish())
+}
+
+/// The reference system of GeoJSON before RFC 7946, which maps in metres have to this day:
+/// `urn:ogc:def:crs:EPSG::25832` or `EPSG:25832`.
+fn system(crs: &Value) -> Option<System> {
+    let name = crs.get("properties")?.get("name")?.as_str()?;
+    let mut parts = name.rsplit(':');
+    let (code, mut authority) = (parts.next()?, parts);
+    match code.parse() {
+        Ok(code) if authority.any(|part| part == "EPSG") => Some(System::of_epsg(code)),
+        _ if code == "CRS84" => Some(System::of_longitudes("OGC:CRS84")),
+        _ => None,
+    }
 }
 
 fn collect(found: &mut Gathered, geometry: &Geometry) -> Result<(), Flaw> {

@@ -60,13 +60,11 @@ impl System {
 
 impl System {
     /// One of longitudes and latitudes.
-    pub(super) fn of_longitudes(name: &str) -> Option<Self> {
-        let name = name.to_owned();
-        let is_geographic = true;
-        Some(Self {
-            name,
-            is_geographic,
-        })
+    pub(super) fn of_longitudes(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            is_geographic: true,
+        }
     }
 
     /// That of an object of PROJJSON; `None` if it has no name.

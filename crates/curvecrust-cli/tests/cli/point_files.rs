@@ -217,6 +217,28 @@ fn vertices_of_geojson() {
 }
 
 #[test]
+fn reference_systems_of_geojson() {
+    for (name, note) in [
+        ("urn:ogc:def:crs:EPSG::25832", "EPSG:25832\n"),
+        ("EPSG:4326", "EPSG:4326: lengths are in degrees\n"),
+        (
+            "urn:ogc:def:crs:OGC:1.3:CRS84",
+            "OGC:CRS84: lengths are in degrees\n",
+        ),
+    ] {
+        let map = format!(
+            r#"{{"type": "FeatureCollection",
+            "crs": {{"type": "name", "properties": {{"name": "{name}"}}}},
+            "features": [{{"type": "Feature", "properties": {{}},
+            "geometry": {{"type": "Point", "coordinates": [1, 2]}}}}]}}"#
+        );
+        let (_, said) = read("map.geojson", map, "");
+        let says = format!("map.geojson: the reference system is {note}");
+        assert!(said.contains(&says), "{said}");
+    }
+}
+
+#[test]
 fn tables_whose_headers_look_like_geometries() {
     for header in ["point x y", "v x y", "multiplier x y"] {
         let table = format!("{header}\n7 1 2\n8 3 4\n");

@@ -45,7 +45,7 @@ pub(super) fn of(metadata: &FileMetaData) -> Result<Option<Geo>, Flaw> {
         }
     };
     let system = match about.get("crs") {
-        None => System::of_longitudes("OGC:CRS84"),
+        None => Some(System::of_longitudes("OGC:CRS84")),
         Some(crs) => System::of_json(crs),
     };
     Ok(Some(Geo {
