@@ -66,16 +66,18 @@ fn numpy_reads_edges_and_its_points_are_read() {
 }
 
 #[test]
-fn shapely_finds_geojson_and_wkt_valid() {
+fn shapely_finds_geojson_wkt_and_wkb_valid() {
     let folder = varied();
     folder.run("reconstruct p.xy -o out.geojson").fine();
     folder.run("reconstruct p.xy -o out.wkt").fine();
+    folder.run("reconstruct p.xy -o out.wkb").fine();
     let program = "import json, shapely\n\
                    from shapely.geometry import shape\n\
                    features = json.load(open('out.geojson'))['features']\n\
                    parts = [shape(f['geometry']) for f in features]\n\
                    whole = shapely.from_wkt(open('out.wkt').read())\n\
                    assert whole.is_valid\n\
+                   assert whole == shapely.from_wkb(open('out.wkb', 'rb').read())\n\
                    assert list(whole.geoms) == parts, (whole, parts)\n\
                    assert parts[0].exterior.is_ccw and not parts[0].interiors[0].is_ccw\n\
                    print([p.geom_type for p in parts], parts[0].area, parts[1].length)";
