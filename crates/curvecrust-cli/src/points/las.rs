@@ -22,13 +22,16 @@ const GEODETIC: u16 = 2048;
 
 pub(super) fn read(mut source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
     let bounds::Promise { points, record } = bounds::check(&mut source)?;
+    if points == 0 {
+        return Ok(PointList::default());
+    }
     source.rewind()?;
     let mut reader = Reader::new(BufReader::new(source)).map_err(flaw)?;
     let mut found = Gathered::new(wanted);
     if let Some(system) = system(reader.header()) {
         found.system(system);
     }
-    found.height(points > 0);
+    found.height(true);
     let piece = (PIECE / record.max(1)).max(1);
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
     let mut done = 0;

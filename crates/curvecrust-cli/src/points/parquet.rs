@@ -187,10 +187,11 @@ fn column(
     if !is_inside {
         return Err(Problem::Parquet("it is cut off".into()).into());
     }
+    let most = group.metadata().num_rows().try_into().unwrap_or(0);
     let pages = group.get_column_page_reader(column).map_err(flaw)?;
     Ok(get_column_reader(
         about.clone(),
-        Box::new(Pages::new(pages, &about)),
+        Box::new(Pages::new(pages, &about, most)),
     ))
 }
 

@@ -102,6 +102,26 @@ fn scans_that_are_cut_off() {
     );
 }
 
+/// The decoder needs to know what it unpacks, even if that is nothing.
+#[test]
+fn scans_without_points() {
+    for is_packed in [false, true] {
+        let bytes = scan(0, is_packed, vec![]);
+        assert_eq!(
+            error("p.las", bytes, ""),
+            "error: p.las: there are no points"
+        );
+    }
+    // The record about it is missing.
+    let mut bytes = scan(3, true, vec![]);
+    let at = bytes.windows(6).position(|w| w == b"laszip").unwrap();
+    bytes[at] = b'L';
+    assert_eq!(
+        error("p.laz", bytes, ""),
+        "error: p.laz: this is no LAS file: it does not say how its points are packed"
+    );
+}
+
 /// A thousand billions of points, and a record of that many bytes behind them.
 #[test]
 fn promises_reserve_nothing() {

@@ -116,6 +116,10 @@ fn about(source: &mut Seekable, start: u64, count: u64) -> Result<Vec<u8>, Flaw>
         }
         let length = u16::from_le_bytes([head[20], head[21]]);
         if head[2..].starts_with(b"laszip encoded") && head[18..20] == 22204u16.to_le_bytes() {
+            // Others would take one of these for it, and the next for it otherwise.
+            if head[16..18] != [0; 2] {
+                break;
+            }
             let mut data = vec![0; length.into()];
             if source.read_exact(&mut data).is_ok() {
                 return Ok(data);
