@@ -9,8 +9,9 @@ use curvecrust::medial_axis::{
 };
 use curvecrust::reconstruct::hnn_crust;
 use curvecrust::sampling::{
-    Condition, PlacedSamples, UnevenOptions, check, effective_epsilon, effective_rho, sample, sample_as_published,
-    sample_at_dense_points, sample_curve, sample_fewest, sample_unevenly_with, sample_uniformly,
+    Condition, PlacedSamples, UnevenOptions, check, effective_epsilon, effective_rho, sample,
+    sample_as_published, sample_at_dense_points, sample_curve, sample_fewest, sample_unevenly_with,
+    sample_uniformly,
 };
 use curvecrust_fuzz::Chains;
 use libfuzzer_sys::fuzz_target;

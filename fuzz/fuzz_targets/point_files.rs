@@ -5,13 +5,20 @@
 use libfuzzer_sys::fuzz_target;
 
 /// The last has none: it is guessed.
-const EXTENSIONS: [&str; 8] = ["csv", "xy", "json", "geojson", "npy", "svg", "wkt", ""];
+const EXTENSIONS: [&str; 17] = [
+    "csv", "xy", "json", "geojson", "npy", "svg", "wkt", "gpx", "kml", "npz", "ply", "wkb", "shp",
+    "las", "fgb", "parquet", "",
+];
+
+/// How many times as much as is packed may come out, in points, and how many at least.
+const RATIO: usize = 64;
+const LEAST: usize = 4 << 20;
 
 fuzz_target!(|input: (u8, &[u8])| {
     let (which, bytes) = input;
     let extension = EXTENSIONS[usize::from(which) % EXTENSIONS.len()];
     match curvecrust_cli::count_points(bytes.to_vec(), extension) {
-        Ok(points) => assert!(0 < points && points <= bytes.len()),
+        Ok(points) => assert!(0 < points && points <= RATIO * bytes.len() + LEAST),
         // Fit for a terminal.
         Err(message) => assert!(!message.chars().any(|c| c.is_control() && c != '\n')),
     }

@@ -345,7 +345,7 @@ pub(crate) struct Points {
 /// How a file of points is read.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Reading {
-    /// The format of the points [default: that of the name, else of the content]
+    /// The format of the points [default: that of the name or of the content]
     #[arg(long, value_name = "FORMAT", requires = "points", value_parser = readable())]
     pub(crate) from: Option<Format>,
     /// The column of a table that holds x [default: x, lon, longitude or easting]
@@ -354,7 +354,8 @@ pub(crate) struct Reading {
     /// The column of a table that holds y [default: y, lat, latitude or northing]
     #[arg(long, value_name = "NAME", requires = "points", requires = "x")]
     pub(crate) y: Option<String>,
-    /// Take the vertices of lines and polygons for points, in geojson and wkt
+    /// Take the vertices of lines and polygons for points, in maps: geojson, wkt, wkb, kml,
+    /// shapefile, flatgeobuf and geoparquet
     #[arg(long, requires = "points")]
     pub(crate) vertices: bool,
     /// Take equal points for one, instead of refusing them

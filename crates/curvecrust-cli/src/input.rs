@@ -1,8 +1,8 @@
 //! Where data come from: a file, or stdin by the name `-`.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Read};
-use std::path::Path;
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
 
 /// Bytes that are looked at in one go before a source is read.
 const HEAD: usize = 4096;
@@ -15,6 +15,16 @@ const BUFFER: usize = 1 << 16;
 pub(crate) struct Source {
     head: Vec<u8>,
     rest: Box<dyn BufRead>,
+    /// The file itself and its path, if it is one that can be read from any place.
+    file: Option<(File, PathBuf)>,
+}
+
+/// All of a source, from any place.
+pub(crate) enum Seekable {
+    /// A file.
+    File(File),
+    /// What cannot be read from any place, such as a pipe, is held in memory.
+    Memory(Cursor<Vec<u8>>),
 }
 
 impl Source {
@@ -23,7 +33,16 @@ impl Source {
         if is_standard(path) {
             Self::new(io::stdin().lock())
         } else {
-            Self::new(BufReader::with_capacity(BUFFER, File::open(path)?))
+            let file = File::open(path)?;
+            let again = match file.metadata()?.is_file() {
+                true => Some((file.try_clone()?, path.to_owned())),
+                false => None,
+            };
+            let source = Self::new(BufReader::with_capacity(BUFFER, file))?;
+            Ok(Self {
+                file: again,
+                ..source
+            })
         }
     }
 
@@ -35,7 +54,11 @@ impl Source {
             head.drain(..3);
         }
         let rest = Box::new(rest);
-        Ok(Self { head, rest })
+        Ok(Self {
+            head,
+            rest,
+            file: None,
+        })
     }
 
     /// The first bytes, all there are if they are few.
@@ -63,6 +86,57 @@ impl Source {
     pub(crate) fn into_bytes(mut self) -> io::Result<Vec<u8>> {
         self.rest.read_to_end(&mut self.head)?;
         Ok(self.head)
+    }
+}
+
+impl Source {
+    /// Everything, from any place; only what is no file is held in memory.
+    pub(crate) fn into_seekable(self) -> io::Result<Seekable> {
+        match self.file {
+            Some((mut file, _)) => {
+                file.rewind()?;
+                Ok(Seekable::File(file))
+            }
+            None => Ok(Seekable::Memory(Cursor::new(self.into_bytes()?))),
+        }
+    }
+
+    /// The start, of at most some length, of the file of the same name with another ending;
+    /// `None` without one.
+    pub(crate) fn beside(&self, ending: &str, most: u64) -> Option<Vec<u8>> {
+        let (_, path) = self.file.as_ref()?;
+        let file = File::open(path.with_extension(ending)).ok()?;
+        let mut bytes = Vec::new();
+        file.take(most).read_to_end(&mut bytes).ok()?;
+        Some(bytes)
+    }
+}
+
+impl Seekable {
+    /// The number of its bytes.
+    pub(crate) fn size(&self) -> io::Result<u64> {
+        match self {
+            Self::File(file) => Ok(file.metadata()?.len()),
+            Self::Memory(bytes) => Ok(bytes.get_ref().len() as u64),
+        }
+    }
+}
+
+impl Read for Seekable {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match self {
+            Self::File(file) => file.read(buffer),
+            Self::Memory(bytes) => bytes.read(buffer),
+        }
+    }
+}
+
+impl Seek for Seekable {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match self {
+            Self::File(file) => file.seek(to),
+            Self::Memory(bytes) => bytes.seek(to),
+        }
     }
 }
 

@@ -6,6 +6,20 @@
 //! the readers can be fuzzed and Python can run it, and promises nothing but [`main`] and
 //! [`run_on`]: depend on `curvecrust`.
 
+// What readers share is there for each of them.
+#![cfg_attr(
+    not(all(
+        feature = "flatgeobuf",
+        feature = "las",
+        feature = "npz",
+        feature = "parquet",
+        feature = "ply",
+        feature = "shapefile",
+        feature = "wkb"
+    )),
+    allow(dead_code, reason = "what the readers of other features use")
+)]
+
 mod args;
 mod commands;
 mod console;
@@ -74,7 +88,8 @@ pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
     let list = Source::new(io::Cursor::new(bytes))
         .map_err(Flaw::from)
         .and_then(|source| {
-            points::read_source(source, Format::of_name(&path), &points::Wanted::default())
+            let named = Format::of_content_named(&path);
+            points::read_source(source, None, named, &points::Wanted::default())
         });
     match list {
         Ok(list) => Ok(list.points.len()),

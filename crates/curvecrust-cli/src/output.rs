@@ -3,9 +3,11 @@
 mod atomic;
 mod dxf;
 mod geojson;
+mod gpx;
 pub(crate) mod npy;
 mod shape;
 mod svg;
+mod wkb;
 mod wkt;
 
 pub(crate) use crate::number::Number;
@@ -116,6 +118,8 @@ impl Output {
         self.write(|out| match self.format {
             Format::Geojson => geojson::write(out, features),
             Format::Wkt => wkt::write(out, features),
+            Format::Wkb => wkb::write(out, features),
+            Format::Gpx => gpx::write(out, features),
             Format::Dxf => dxf::write(out, features),
             other => Err(unsupported(other)),
         })

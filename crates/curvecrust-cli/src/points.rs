@@ -1,20 +1,39 @@
 //! Points from files, one module a format. See `docs/formats.md`.
 
 mod columns;
+mod content;
 mod csv_records;
+#[cfg(feature = "flatgeobuf")]
+mod flatgeobuf;
 mod flaw;
+mod gathered;
 mod geojson;
 mod gpx;
 mod json;
 mod json_text;
+mod kml;
+#[cfg(feature = "las")]
+mod las;
 pub(crate) mod npy;
+#[cfg(feature = "npz")]
+mod npz;
 mod obj;
+#[cfg(feature = "parquet")]
+mod parquet;
+#[cfg(feature = "ply")]
+mod ply;
 mod quote;
 mod records;
 mod separator;
+#[cfg(feature = "shapefile")]
+mod shapefile;
 mod svg;
+mod system;
 mod table;
 mod text_records;
+mod value;
+#[cfg(feature = "wkb")]
+mod wkb;
 mod wkt;
 
 pub(crate) use columns::ColumnNames;
@@ -22,11 +41,11 @@ pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
 
 use crate::format::Format;
 use crate::input::{self, Source};
-use crate::number::Number;
 use curvecrust::DVec2;
 use quote::quoted;
 use separator::Separator;
 use std::path::Path;
+use value::{coordinate, in_double_range, is_number};
 
 /// The formats that points are read from.
 pub(crate) const FORMATS: &[Format] = &[
@@ -36,9 +55,24 @@ pub(crate) const FORMATS: &[Format] = &[
     Format::Geojson,
     Format::Wkt,
     Format::Gpx,
+    Format::Kml,
     Format::Obj,
     Format::Npy,
     Format::Svg,
+    #[cfg(feature = "npz")]
+    Format::Npz,
+    #[cfg(feature = "ply")]
+    Format::Ply,
+    #[cfg(feature = "wkb")]
+    Format::Wkb,
+    #[cfg(feature = "shapefile")]
+    Format::Shapefile,
+    #[cfg(feature = "las")]
+    Format::Las,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
 ];
 
 /// What was read from a file.
@@ -61,7 +95,8 @@ pub(crate) struct Wanted {
 
 /// Reads points, of which there must be at least one.
 ///
-/// The format is the one given, else that of the file's name, else what the content looks like.
+/// The format is that of the content's magic number, else the one given, else that of the file's
+/// name, else what the content looks like.
 pub(crate) fn read(
     path: &Path,
     from: Option<Format>,
@@ -69,41 +104,58 @@ pub(crate) fn read(
 ) -> Result<PointList, PointsError> {
     Source::open(path)
         .map_err(Flaw::from)
-        .and_then(|source| read_source(source, from.or_else(|| Format::of_name(path)), wanted))
+        .and_then(|source| read_source(source, from, Format::of_content_named(path), wanted))
         .map_err(|flaw| PointsError::new(input::name(path), flaw))
 }
 
-/// The same from an opened source, in the format given, else what the content looks like.
+/// The same from an opened source, in the format asked for or that of its name.
 pub(crate) fn read_source(
     mut source: Source,
-    format: Option<Format>,
+    asked: Option<Format>,
+    named: Option<Format>,
     wanted: &Wanted,
 ) -> Result<PointList, Flaw> {
-    let head = source.head();
-    if head.is_empty() {
+    if source.head().is_empty() {
         return Err(Problem::NoPoints.into());
     }
-    if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") {
-        return Err(Problem::Utf16.into());
-    }
-    let format = match format {
-        Some(format) => format,
-        None => looks_like(&mut source)?,
-    };
+    let format = content::format_of(&mut source, asked, named)?;
     let names = wanted.columns.as_ref();
-    if names.is_some() && !matches!(format, Format::Csv | Format::Text) {
+    let has_columns = [
+        Format::Csv,
+        Format::Text,
+        Format::Npz,
+        Format::Ply,
+        Format::Parquet,
+    ];
+    if names.is_some() && !has_columns.contains(&format) {
         return Err(Problem::NoTable(format).into());
     }
     let list = match format {
         Format::Csv => table::read(source, Separator::Byte(b','), names),
         Format::Text => table::read(source, Separator::WhiteSpace, names),
         Format::Npy => npy::read(source.into_reader()),
-        Format::Json => json::read(&source.into_bytes()?, wanted.vertices),
-        Format::Geojson => geojson::read(&source.into_bytes()?, wanted.vertices),
-        Format::Wkt => wkt::read(&source.into_bytes()?, wanted.vertices),
-        Format::Gpx => gpx::read(&source.into_bytes()?),
+        Format::Json => json::read(&source.into_bytes()?, wanted),
+        Format::Geojson => geojson::read(&source.into_bytes()?, wanted),
+        Format::Wkt => wkt::read(&source.into_bytes()?, wanted),
+        Format::Gpx => gpx::read(&source.into_bytes()?, wanted),
+        Format::Kml => kml::read(&source.into_bytes()?, wanted),
         Format::Obj => obj::read(&source.into_bytes()?),
         Format::Svg => svg::read(&source.into_bytes()?),
+        #[cfg(feature = "npz")]
+        Format::Npz => npz::read(source.into_seekable()?, names),
+        #[cfg(feature = "ply")]
+        Format::Ply => ply::read(source.into_reader(), names),
+        #[cfg(feature = "wkb")]
+        Format::Wkb => wkb::read(&source.into_bytes()?, wanted),
+        #[cfg(feature = "shapefile")]
+        Format::Shapefile => shapefile::read(source, wanted),
+        #[cfg(feature = "las")]
+        Format::Las => las::read(source.into_seekable()?, wanted),
+        #[cfg(feature = "flatgeobuf")]
+        Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), wanted),
+        #[cfg(feature = "parquet")]
+        Format::Parquet => parquet::read(source.into_seekable()?, wanted),
+        other if other.is_of_feature() => Err(Problem::LeftOut(other).into()),
         other => Err(Problem::Unreadable(other).into()),
     }?;
     if list.points.is_empty() {
@@ -129,111 +181,5 @@ impl PointList {
             points,
             notes: note.into_iter().collect(),
         }
-    }
-}
-
-/// The format of content without a name, by its first line that is no comment.
-fn looks_like(source: &mut Source) -> Result<Format, Flaw> {
-    let head = source.peek(|head| first_line(head).is_some())?;
-    Ok(match first_line(head).unwrap_or_default() {
-        [b'{' | b'[', ..] => Format::Json,
-        [b'<', ..] if contains(head, b"<gpx") => Format::Gpx,
-        [b'<', ..] => Format::Svg,
-        line if starts_vertex(line) => Format::Obj,
-        line if starts_geometry(line) => Format::Wkt,
-        [0x93, b'N', ..] => Format::Npy,
-        // What separates its columns is found as it is read.
-        _ => Format::Text,
-    })
-}
-
-fn contains(text: &[u8], part: &[u8]) -> bool {
-    text.windows(part.len()).any(|window| window == part)
-}
-
-/// Whether a line starts as well-known text does: with the name of a geometry, and what may follow
-/// it. A header of a table may start with such a name too.
-fn starts_geometry(line: &[u8]) -> bool {
-    const NAMES: [&[u8]; 7] = [
-        b"POINT",
-        b"MULTIPOINT",
-        b"LINESTRING",
-        b"MULTILINESTRING",
-        b"POLYGON",
-        b"MULTIPOLYGON",
-        b"GEOMETRYCOLLECTION",
-    ];
-    let line = line.to_ascii_uppercase();
-    let end = line.iter().position(|byte| !byte.is_ascii_uppercase());
-    let (name, rest) = line.split_at(end.unwrap_or(line.len()));
-    let rest = rest.trim_ascii_start();
-    let follows = [&b"("[..], b"Z", b"M", b"EMPTY"];
-    line.starts_with(b"SRID=")
-        || NAMES.contains(&name) && follows.iter().any(|start| rest.starts_with(start))
-}
-
-/// Whether a line is a vertex of Wavefront OBJ: a `v` and numbers.
-fn starts_vertex(line: &[u8]) -> bool {
-    let mut words = line
-        .split(u8::is_ascii_whitespace)
-        .filter(|w| !w.is_empty());
-    words.next() == Some(b"v") && words.next().is_some_and(|word| is_number(word, false))
-}
-
-/// The vertices of a line, of a closed one the first once.
-fn opened<T>(line: &[T], is_same: impl Fn(&T, &T) -> bool) -> &[T] {
-    match line {
-        [first, inner @ .., last] if is_same(first, last) => &line[..=inner.len()],
-        line => line,
-    }
-}
-
-/// The first line that is neither empty nor a comment, or as much of it as is known.
-fn first_line(head: &[u8]) -> Option<&[u8]> {
-    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    lines.find(|line| !line.is_empty() && !line.starts_with(b"#"))
-}
-
-/// The coordinate that a token stands for, which may have a comma in front of its decimals.
-fn coordinate(token: &[u8], has_decimal_commas: bool) -> Result<f64, Problem> {
-    match number(token, has_decimal_commas) {
-        Some(value) => in_range(value, || quoted(token)),
-        None => Err(Problem::NotANumber(quoted(token))),
-    }
-}
-
-fn is_number(token: &[u8], has_decimal_commas: bool) -> bool {
-    number(token, has_decimal_commas).is_some()
-}
-
-fn number(token: &[u8], has_decimal_commas: bool) -> Option<f64> {
-    let text = str::from_utf8(token).ok()?;
-    let number = text.parse().ok();
-    // With a point as well, a comma would separate thousands.
-    let is_decimal = || has_decimal_commas && text.contains(',') && !text.contains('.');
-    number.or_else(|| {
-        is_decimal()
-            .then(|| text.replacen(',', ".", 1).parse().ok())
-            .flatten()
-    })
-}
-
-/// The number itself, if a point set can hold it.
-fn in_double_range(value: f64) -> Result<f64, Problem> {
-    in_range(value, || Number(value).to_string())
-}
-
-/// The number itself, if a point set can hold it; `found` is what stood there.
-fn in_range(value: f64, found: impl FnOnce() -> String) -> Result<f64, Problem> {
-    use curvecrust::geometry::PointSet;
-    let magnitude = value.abs();
-    if !value.is_finite() {
-        Err(Problem::NotFinite(found()))
-    } else if magnitude > PointSet::MAX_MAGNITUDE
-        || (magnitude < PointSet::MIN_MAGNITUDE && magnitude > 0.0)
-    {
-        Err(Problem::Magnitude(found()))
-    } else {
-        Ok(value)
     }
 }

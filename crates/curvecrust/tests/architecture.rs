@@ -59,6 +59,11 @@ const NAMED_BY: &[(&str, &[&str])] = &[
     // The program and the page read points from SVG, which are no curves.
     ("roxmltree", &["curve", "cli", "web"]),
     ("svgtypes", &["curve", "cli"]),
+    ("flatgeobuf", &["cli"]),
+    ("las", &["cli"]),
+    ("laz", &["cli"]),
+    ("parquet", &["cli"]),
+    ("zip", &["cli"]),
     ("anyhow", &["cli", "lab", "xtask"]),
     ("clap", &["cli", "xtask"]),
     ("pyo3", &["python"]),

@@ -18,6 +18,8 @@ const FORMATS: &[Format] = &[
     Format::Json,
     Format::Geojson,
     Format::Wkt,
+    Format::Wkb,
+    Format::Gpx,
     Format::Dxf,
     Format::Svg,
 ];

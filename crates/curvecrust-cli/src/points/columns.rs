@@ -1,7 +1,8 @@
 //! Which columns of a table hold the coordinates.
 
-use super::quote::listed;
+use super::quote::{left_out, listed};
 use super::records::Records;
+use super::system::DEGREES;
 use super::{Flaw, Place, Problem};
 
 /// Names of columns that were asked for.
@@ -26,7 +27,7 @@ pub(super) const KNOWN: [[&[&str]; 2]; 3] = [
 ];
 
 /// Names of columns of heights, in small letters.
-const HEIGHTS: &[&str] = &["z", "h", "height", "alt", "altitude", "ele", "elevation"];
+pub(super) const HEIGHTS: &[&str] = &["z", "h", "height", "alt", "altitude", "ele", "elevation"];
 
 impl Columns {
     /// Of a table without names.
@@ -57,16 +58,25 @@ impl Columns {
         let mut notes = Vec::new();
         if !(x_name.eq_ignore_ascii_case(b"x") && y_name.eq_ignore_ascii_case(b"y")) {
             let [x, y] = [x_name, y_name].map(|name| listed([name].into_iter()));
-            notes.push(format!("x is the column {x}, y is {y}"));
+            let degrees = match is_longitude(x_name) {
+                true => format!(": {DEGREES}"),
+                false => String::new(),
+            };
+            notes.push(format!("x is the column {x}, y is {y}{degrees}"));
         }
         let columns = (0..header.len()).filter(|&column| column != x && column != y);
         let heights = columns.filter(|&column| is_one_of(header.field(column), HEIGHTS));
         let heights: Vec<&[u8]> = heights.map(|column| header.field(column)).collect();
         if !heights.is_empty() {
-            notes.push(format!("{} is left out", listed(heights.into_iter())));
+            notes.push(left_out(heights.into_iter()));
         }
         (!notes.is_empty()).then(|| notes.join("; "))
     }
+}
+
+/// Whether a column has a name of longitudes, which are degrees.
+pub(super) fn is_longitude(name: &[u8]) -> bool {
+    is_one_of(without_unit(name), KNOWN[1][0])
 }
 
 /// Why a header is none that is understood.

@@ -42,6 +42,8 @@ pub(crate) enum Place {
     Row(u64, usize),
     /// A feature of a collection.
     Feature(usize),
+    /// A thing of some kind, such as a shape.
+    Item(&'static str, u64),
     /// A feature, if there is a collection, and one of its positions.
     Position(Option<usize>, usize),
 }
@@ -55,6 +57,22 @@ pub(crate) enum Problem {
     NoPoints,
     #[error("the text is UTF-16: save it as UTF-8")]
     Utf16,
+    #[error("this is {what}: {advice}")]
+    Foreign {
+        what: &'static str,
+        advice: &'static str,
+    },
+    #[error("this is binary data of a kind that is not known")]
+    Binary,
+    #[error("this is {}, not {}: leave out --from", .format.name(), .asked.name())]
+    Asked { asked: Format, format: Format },
+    #[error("this is XML of `{0}`: of XML, svg, gpx and kml hold points")]
+    OtherXml(String),
+    #[error(
+        "this is {name}, which this program was built without: build it with the feature `{name}`",
+        name = .0.name()
+    )]
+    LeftOut(Format),
     #[error("points cannot be read from {}: use {}", .0.name(), format::listed(super::FORMATS))]
     Unreadable(Format),
     #[error("`{0}` is not a number")]
@@ -98,6 +116,23 @@ pub(crate) enum Problem {
     Type(String),
     #[error("the shape is ({0}): points have the shape (n, 2)")]
     Shape(String),
+    #[error("the shape is ({0}): the coordinates of one axis have the shape (n,)")]
+    ColumnShape(String),
+    #[error("the arrays {x} and {y} have {x_rows} and {y_rows} rows")]
+    Rows {
+        x: String,
+        y: String,
+        x_rows: usize,
+        y_rows: usize,
+    },
+    #[error("no array is named {missing}: there are {found}")]
+    NoArrayNamed { missing: String, found: String },
+    #[error("which holds points? There are {0}: pass --x and --y with the names of two")]
+    Arrays(String),
+    #[error("array `{name}`{}: {}", .flaw.place, .flaw.problem)]
+    InArray { name: String, flaw: Box<Flaw> },
+    #[error("{0}")]
+    Archive(String),
     #[error("the header of the array is more than {0} bytes long")]
     LongHeader(usize),
     #[error("`fortran_order` is `{0}`: it has to be True or False")]
@@ -110,6 +145,34 @@ pub(crate) enum Problem {
     Trailing { rows: usize },
     #[error("this is no GPX document")]
     NotGpx,
+    #[error("this is no KML document")]
+    NotKml,
+    #[error("this is no PLY file: {0}")]
+    Ply(String),
+    #[error("it is cut off: of {promised} {what} there are {found}")]
+    CutOff {
+        what: &'static str,
+        promised: u64,
+        found: u64,
+    },
+    #[error("this is no well-known binary: {0}")]
+    Wkb(String),
+    #[error("this is no LAS file: {0}")]
+    Las(String),
+    #[error("it promises {points} points, more than 64 times its size and 64 MiB can unpack to")]
+    Promise { points: u64 },
+    #[error("the table cannot be read: {0}")]
+    Parquet(String),
+    #[error("the column `{name}` is compressed by {codec}: use Snappy, Zstandard or LZ4_RAW")]
+    Codec { name: String, codec: String },
+    #[error("the column `{name}` is of the type {found}: coordinates are numbers")]
+    ColumnType { name: String, found: String },
+    #[error("the column `{name}` has no number")]
+    NoNumber { name: String },
+    #[error("this is no FlatGeobuf: {0}")]
+    Flatgeobuf(String),
+    #[error("this is no Shapefile: {0}")]
+    Shapefile(String),
     #[error("this is no well-known text")]
     NotWkt,
     #[error("this is no well-known text: {0}")]
@@ -163,6 +226,7 @@ impl fmt::Display for Place {
             Self::Column(line, column) => write!(f, ", line {line}, column {column}"),
             Self::Field(line, field) => write!(f, ", line {line}, field {field}"),
             Self::Row(row, column) => write!(f, ", row {row}, column {column}"),
+            Self::Item(kind, number) => write!(f, ", {kind} {number}"),
             Self::Feature(feature) => write!(f, ", feature {feature}"),
             Self::Position(None, position) => write!(f, ", position {position}"),
             Self::Position(Some(feature), position) => {

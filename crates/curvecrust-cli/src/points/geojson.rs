@@ -1,107 +1,98 @@
 //! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s,
 //! in order, without their heights; the vertices of lines and polygons on request.
 
+use super::gathered::Gathered;
 use super::json_text::parse;
-use super::{Flaw, Place, PointList, Problem, in_double_range, opened};
-use curvecrust::DVec2;
+use super::system::System;
+use super::{Flaw, Place, PointList, Problem, Wanted};
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
+use serde_json::Value;
 
-pub(super) fn read(bytes: &[u8], vertices: bool) -> Result<PointList, Flaw> {
-    let mut positions = Positions {
-        vertices,
-        ..Positions::default()
-    };
+pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(wanted);
+    found.go_to(Place::Position(None, 0));
     match parse(bytes)? {
-        GeoJson::Geometry(geometry) => positions.collect(&geometry)?,
+        GeoJson::Geometry(geometry) => collect(&mut found, &geometry)?,
+        // A feature without a geometry is no place.
         GeoJson::Feature(feature) => {
-            // A feature without a geometry is no place.
-            feature
-                .geometry
-                .iter()
-                .try_for_each(|g| positions.collect(g))?;
+            let mut geometry = feature.geometry.iter();
+            geometry.try_for_each(|g| collect(&mut found, g))?;
         }
         GeoJson::FeatureCollection(collection) => {
+            let members = collection.foreign_members.as_ref();
+            if let Some(system) = members.and_then(|members| system(members.get("crs")?)) {
+                found.system(system);
+            }
             for (index, feature) in collection.features.iter().enumerate() {
-                positions.feature = Some(index + 1);
-                positions.count = 0;
-                feature
-                    .geometry
-                    .iter()
-                    .try_for_each(|g| positions.collect(g))?;
+                found.go_to(Place::Position(Some(index + 1), 0));
+                let mut geometry = feature.geometry.iter();
+                geometry.try_for_each(|g| collect(&mut found, g))?;
             }
         }
     }
-    let Positions {
-        points,
-        has_heights,
-        ..
-    } = positions;
-    Ok(PointList::with_heights(points, has_heights))
+    Ok(found.finish())
 }
 
-#[derive(Default)]
-struct Positions {
-    points: Vec<DVec2>,
-    has_heights: bool,
-    /// Whether vertices count as points.
-    vertices: bool,
-    /// The number of the feature that is being read, in a collection.
-    feature: Option<usize>,
-    /// The number of positions of this feature so far.
-    count: usize,
+/// The reference system of GeoJSON before RFC 7946, which maps in metres have to this day:
+/// `urn:ogc:def:crs:EPSG::25832` or `EPSG:25832`.
+fn system(crs: &Value) -> Option<System> {
+    let name = crs.get("properties")?.get("name")?.as_str()?;
+    let mut parts = name.rsplit(':');
+    let (code, mut authority) = (parts.next()?, parts);
+    match code.parse() {
+        Ok(code) if authority.any(|part| part == "EPSG") => Some(System::of_epsg(code)),
+        _ if code == "CRS84" => Some(System::of_longitudes("OGC:CRS84")),
+        _ => None,
+    }
 }
 
-impl Positions {
-    fn collect(&mut self, geometry: &Geometry) -> Result<(), Flaw> {
-        match &geometry.value {
-            GeometryValue::Point { coordinates } => self.take(coordinates, "Point"),
-            GeometryValue::MultiPoint { coordinates } => {
-                let mut positions = coordinates.iter();
-                positions.try_for_each(|position| self.take(position, "MultiPoint"))
-            }
-            GeometryValue::GeometryCollection { geometries } => {
-                geometries.iter().try_for_each(|g| self.collect(g))
-            }
-            GeometryValue::LineString { coordinates } if self.vertices => {
-                self.take_line(coordinates, "LineString")
-            }
-            GeometryValue::MultiLineString { coordinates } if self.vertices => {
-                let mut lines = coordinates.iter();
-                lines.try_for_each(|line| self.take_line(line, "MultiLineString"))
-            }
-            GeometryValue::Polygon { coordinates } if self.vertices => {
-                let mut rings = coordinates.iter();
-                rings.try_for_each(|ring| self.take_line(ring, "Polygon"))
-            }
-            GeometryValue::MultiPolygon { coordinates } if self.vertices => {
-                let mut rings = coordinates.iter().flatten();
-                rings.try_for_each(|ring| self.take_line(ring, "MultiPolygon"))
-            }
-            other => {
-                let problem = Problem::Geometry(other.type_name().to_owned());
-                Err(match self.feature {
-                    Some(feature) => problem.at(Place::Feature(feature)),
-                    None => problem.into(),
-                })
-            }
+fn collect(found: &mut Gathered, geometry: &Geometry) -> Result<(), Flaw> {
+    let name = geometry.value.type_name();
+    match &geometry.value {
+        GeometryValue::Point { coordinates } => take(found, coordinates, name),
+        GeometryValue::MultiPoint { coordinates } => {
+            let mut positions = coordinates.iter();
+            positions.try_for_each(|position| take(found, position, name))
+        }
+        GeometryValue::GeometryCollection { geometries } => {
+            geometries.iter().try_for_each(|g| collect(found, g))
+        }
+        GeometryValue::LineString { coordinates } => take_line(found, coordinates, name),
+        GeometryValue::MultiLineString { coordinates } | GeometryValue::Polygon { coordinates } => {
+            let mut lines = coordinates.iter();
+            lines.try_for_each(|line| take_line(found, line, name))
+        }
+        GeometryValue::MultiPolygon { coordinates } => {
+            let mut rings = coordinates.iter().flatten();
+            rings.try_for_each(|ring| take_line(found, ring, name))
         }
     }
+}
 
-    /// The vertices of a line, of a closed one the first once.
-    fn take_line(&mut self, line: &[Position], of: &str) -> Result<(), Flaw> {
-        let mut line = opened(line, |a, b| a == b).iter();
-        line.try_for_each(|position| self.take(position, of))
-    }
+/// The vertices of a line, of a closed one the first once.
+fn take_line(found: &mut Gathered, line: &[Position], of: &str) -> Result<(), Flaw> {
+    found.wants_vertices(of)?;
+    let mut heights = false;
+    let vertices = line.iter().map(|position| {
+        let (xy, has_height) = coordinates(position, of)?;
+        heights |= has_height;
+        Ok(xy)
+    });
+    found.line(vertices)?;
+    found.height(heights);
+    Ok(())
+}
 
-    fn take(&mut self, position: &Position, of: &str) -> Result<(), Flaw> {
-        self.count += 1;
-        let place = Place::Position(self.feature, self.count);
-        let [x, y, heights @ ..] = position.as_slice() else {
-            return Err(Problem::Coordinates(of.to_owned()).at(place));
-        };
-        let value = |value: f64| in_double_range(value).map_err(|problem| problem.at(place));
-        self.points.push(DVec2::new(value(*x)?, value(*y)?));
-        self.has_heights |= !heights.is_empty();
-        Ok(())
+fn take(found: &mut Gathered, position: &Position, of: &str) -> Result<(), Flaw> {
+    let ([x, y], has_height) = coordinates(position, of).map_err(|problem| found.flaw(problem))?;
+    found.height(has_height);
+    found.point(x, y)
+}
+
+/// The first two numbers of a position, and whether there are more.
+fn coordinates(position: &Position, of: &str) -> Result<([f64; 2], bool), Problem> {
+    match position.as_slice() {
+        [x, y, heights @ ..] => Ok(([*x, *y], !heights.is_empty())),
+        _ => Err(Problem::Coordinates(of.to_owned())),
     }
 }

@@ -2,9 +2,10 @@
 //! `points` or `samples`, such as the program prints. An object with a `type` is GeoJSON. Where
 //! every point is `[x, y, z]`, z is left out.
 
-use super::columns::KNOWN;
+use super::columns::{HEIGHTS, KNOWN, is_longitude};
 use super::json_text::parse;
-use super::{Flaw, PointList, Problem, geojson, in_double_range};
+use super::system::DEGREES;
+use super::{Flaw, PointList, Problem, Wanted, geojson, in_double_range};
 use curvecrust::DVec2;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -22,8 +23,18 @@ struct Object {
 #[derive(Default)]
 struct Points {
     points: Vec<DVec2>,
+    kind: Kind,
+}
+
+/// What the points of an array are.
+#[derive(Default)]
+struct Kind {
     /// How many numbers each has; `None` before the first.
     dimension: Option<Dimension>,
+    /// Whether any is an object with a height.
+    has_heights: bool,
+    /// Whether any is a longitude and a latitude.
+    has_degrees: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,20 +43,26 @@ enum Dimension {
     Three,
 }
 
-pub(super) fn read(bytes: &[u8], vertices: bool) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let found: Points = if bytes.trim_ascii_start().starts_with(b"[") {
         parse(bytes)?
     } else {
         let object: Object = parse(bytes)?;
         match (object.r#type, object.points, object.samples) {
-            (Some(_), ..) => return geojson::read(bytes, vertices),
+            (Some(_), ..) => return geojson::read(bytes, wanted),
             (None, Some(points), None) | (None, None, Some(points)) => points,
             (None, None, None) => return Err(Problem::NoArray.into()),
             (None, Some(_), Some(_)) => return Err(Problem::TwoArrays.into()),
         }
     };
-    let has_heights = found.dimension == Some(Dimension::Three);
-    Ok(PointList::with_heights(found.points, has_heights))
+    let Points { points, kind } = found;
+    let has_heights = kind.has_heights || kind.dimension == Some(Dimension::Three);
+    let mut list = PointList::with_heights(points, has_heights);
+    if kind.has_degrees {
+        let note = format!("x is the longitude, y the latitude: {DEGREES}");
+        list.notes.push(note);
+    }
+    Ok(list)
 }
 
 impl<'de> Deserialize<'de> for Points {
@@ -65,7 +82,7 @@ impl<'de> Visitor<'de> for PointsVisitor {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Points, A::Error> {
         let mut found = Points::default();
-        while let Some(point) = seq.next_element_seed(Point(&mut found.dimension))? {
+        while let Some(point) = seq.next_element_seed(Point(&mut found.kind))? {
             found.points.push(point);
         }
         Ok(found)
@@ -73,7 +90,7 @@ impl<'de> Visitor<'de> for PointsVisitor {
 }
 
 /// One point, which has as many numbers as those before it.
-struct Point<'a>(&'a mut Option<Dimension>);
+struct Point<'a>(&'a mut Kind);
 
 impl<'de> DeserializeSeed<'de> for Point<'_> {
     type Value = DVec2;
@@ -101,7 +118,7 @@ impl<'de> Visitor<'de> for Point<'_> {
             None => Dimension::Two,
             Some(_) => Dimension::Three,
         };
-        match (*self.0.get_or_insert(dimension), dimension) {
+        match (*self.0.dimension.get_or_insert(dimension), dimension) {
             (Dimension::Three, Dimension::Two) => return Err(less()),
             (Dimension::Two, Dimension::Three) => return Err(more()),
             _ => {}
@@ -121,14 +138,21 @@ impl<'de> Visitor<'de> for Point<'_> {
             let mut places = pairs.flat_map(|(names, values)| names.iter().zip(values));
             match places.find(|(names, _)| names.contains(&&*key)) {
                 Some((_, value)) => *value = Some(map.next_value::<f64>()?),
-                None => drop(map.next_value::<IgnoredAny>()?),
+                None => {
+                    self.0.has_heights |= HEIGHTS.contains(&&*key);
+                    map.next_value::<IgnoredAny>()?;
+                }
             }
         }
-        self.0.get_or_insert(Dimension::Two);
-        let found = values.iter().find_map(|&[x, y]| x.zip(y));
-        let (x, y) = found.ok_or_else(|| {
+        self.0.dimension.get_or_insert(Dimension::Two);
+        let pairs = KNOWN.iter().zip(&values);
+        let found = pairs
+            .into_iter()
+            .find_map(|(names, &[x, y])| Some((names, x?, y?)));
+        let (names, x, y) = found.ok_or_else(|| {
             A::Error::custom("an object of a point has x and y, or longitude and latitude")
         })?;
+        self.0.has_degrees |= is_longitude(names[0][0].as_bytes());
         let value = |value| in_double_range(value).map_err(A::Error::custom);
         Ok(DVec2::new(value(x)?, value(y)?))
     }

@@ -19,9 +19,8 @@ const CHUNK: usize = 8192;
 pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
     let header = header::read(&mut reader)?;
     let Header { rows, columns, .. } = header;
-    if rows > u32::MAX as usize {
-        let shape = format!("{rows}, {columns}");
-        return Err(Problem::Shape(shape).into());
+    if columns < 2 || rows > u32::MAX as usize {
+        return Err(Problem::Shape(header.shape).into());
     }
     // A header may promise more than follows: no more is reserved than was read.
     let mut points: Vec<DVec2> = Vec::new();
@@ -45,9 +44,32 @@ pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
         }
         Ok(())
     })?;
+    settle_end(&mut reader, &header)?;
+    Ok(PointList::with_heights(points, columns > 2))
+}
+
+/// Reads the numbers of an array of shape (n,).
+#[cfg(feature = "npz")]
+pub(super) fn read_column(mut reader: impl Read) -> Result<Vec<f64>, Flaw> {
+    let header = header::read(&mut reader)?;
+    if header.columns != 1 {
+        return Err(Problem::ColumnShape(header.shape).into());
+    }
+    let mut values: Vec<f64> = Vec::new();
+    each_number(&mut reader, &header, |value| {
+        let place = Place::Row(values.len() as u64 + 1, 1);
+        values.push(in_double_range(value).map_err(|problem| problem.at(place))?);
+        Ok(())
+    })?;
+    settle_end(&mut reader, &header)?;
+    Ok(values)
+}
+
+/// An error unless the file ends with its array.
+fn settle_end(reader: &mut impl Read, header: &Header) -> Result<(), Flaw> {
     match reader.read(&mut [0])? {
-        0 => Ok(PointList::with_heights(points, columns > 2)),
-        _ => Err(Problem::Trailing { rows }.into()),
+        0 => Ok(()),
+        _ => Err(Problem::Trailing { rows: header.rows }.into()),
     }
 }
 

@@ -21,6 +21,12 @@ pub(super) fn quoted(bytes: &[u8]) -> String {
     quoted
 }
 
+/// That the names stand for what is not read.
+pub(super) fn left_out<'a>(names: impl ExactSizeIterator<Item = &'a [u8]>) -> String {
+    let verb = if names.len() == 1 { "is" } else { "are" };
+    format!("{} {verb} left out", listed(names))
+}
+
 /// The first of the names, each in backticks, and how many more there are.
 pub(super) fn listed<'a>(names: impl ExactSizeIterator<Item = &'a [u8]>) -> String {
     let count = names.len();

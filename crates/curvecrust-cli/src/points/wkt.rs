@@ -1,8 +1,9 @@
 //! Well-known text, by the crate of that name: the points of all geometries, one after the other in
 //! the text, without their heights; the vertices of lines and polygons on request.
 
-use super::{Flaw, Place, PointList, Problem, in_double_range, opened, quoted};
-use curvecrust::DVec2;
+use super::gathered::Gathered;
+use super::system::System;
+use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
 use std::str::FromStr;
 use wkt::Wkt;
 use wkt::types::{Coord, LineString};
@@ -10,21 +11,22 @@ use wkt::types::{Coord, LineString};
 /// Levels of brackets: the crate reads what is inside by recursion.
 const DEEPEST: i32 = 64;
 
-pub(super) fn read(bytes: &[u8], vertices: bool) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotWkt)?;
-    let mut found = Found {
-        points: Vec::new(),
-        has_heights: false,
-        vertices,
-        line: 0,
-    };
+    let mut found = Gathered::new(wanted);
     for (line, text) in geometries(text)? {
-        found.line = line;
+        found.go_to(Place::Line(line));
         let problem = |message: &str| Problem::Wkt(message.to_owned()).at(Place::Line(line));
-        let geometry = Wkt::<f64>::from_str(without_srid(text)).map_err(problem)?;
-        found.collect(&geometry)?;
+        let (system, text) = without_srid(text);
+        if let Some(srid) = system {
+            let srid = srid.trim().parse();
+            let srid = srid.map_err(|_| problem("the number of SRID cannot be read"))?;
+            found.system(System::of_srid(srid));
+        }
+        let geometry = Wkt::<f64>::from_str(text).map_err(problem)?;
+        collect(&mut found, &geometry)?;
     }
-    Ok(PointList::with_heights(found.points, found.has_heights))
+    Ok(found.finish())
 }
 
 /// The geometries, each with the line that it starts in. One ends with the line in which its
@@ -63,69 +65,61 @@ fn geometries(text: &str) -> Result<Vec<(u64, &str)>, Flaw> {
     }
 }
 
-/// Without the reference system that PostGIS puts in front.
-fn without_srid(text: &str) -> &str {
+/// The number of the reference system that PostGIS puts in front, and what follows it.
+fn without_srid(text: &str) -> (Option<&str>, &str) {
     match text.split_once(';') {
-        Some((start, rest)) if start.to_ascii_uppercase().starts_with("SRID=") => rest,
-        _ => text,
+        Some((start, rest)) if start.to_ascii_uppercase().starts_with("SRID=") => {
+            (Some(&start["SRID=".len()..]), rest)
+        }
+        _ => (None, text),
     }
 }
 
-struct Found {
-    points: Vec<DVec2>,
-    has_heights: bool,
-    /// Whether vertices count as points.
-    vertices: bool,
-    line: u64,
-}
-
-impl Found {
-    fn collect(&mut self, geometry: &Wkt<f64>) -> Result<(), Flaw> {
-        match geometry {
-            Wkt::Point(point) => point.coord().map_or(Ok(()), |c| self.take(c)),
-            Wkt::MultiPoint(many) => {
-                let coords = many.points().iter().filter_map(|point| point.coord());
-                coords.into_iter().try_for_each(|c| self.take(c))
-            }
-            Wkt::GeometryCollection(many) => {
-                many.geometries().iter().try_for_each(|g| self.collect(g))
-            }
-            Wkt::LineString(_)
-            | Wkt::MultiLineString(_)
-            | Wkt::Polygon(_)
-            | Wkt::MultiPolygon(_)
-                if !self.vertices =>
-            {
-                let name = format!("{geometry}");
-                let name = name.split(|c: char| !c.is_ascii_alphabetic()).next();
-                let problem = Problem::Geometry(quoted(name.unwrap_or_default().as_bytes()));
-                Err(problem.at(Place::Line(self.line)))
-            }
-            Wkt::LineString(line) => self.take_line(line),
-            Wkt::MultiLineString(many) => many
-                .line_strings()
-                .iter()
-                .try_for_each(|l| self.take_line(l)),
-            Wkt::Polygon(polygon) => polygon.rings().iter().try_for_each(|r| self.take_line(r)),
-            Wkt::MultiPolygon(many) => {
-                let mut rings = many.polygons().iter().flat_map(|p| p.rings());
-                rings.try_for_each(|ring| self.take_line(ring))
-            }
+fn collect(found: &mut Gathered, geometry: &Wkt<f64>) -> Result<(), Flaw> {
+    match geometry {
+        Wkt::Point(point) => point.coord().map_or(Ok(()), |c| take(found, c)),
+        Wkt::MultiPoint(many) => {
+            let mut coords = many.points().iter().filter_map(|point| point.coord());
+            coords.try_for_each(|c| take(found, c))
+        }
+        Wkt::GeometryCollection(many) => {
+            many.geometries().iter().try_for_each(|g| collect(found, g))
+        }
+        Wkt::LineString(_) | Wkt::MultiLineString(_) | Wkt::Polygon(_) | Wkt::MultiPolygon(_) => {
+            let name = format!("{geometry}");
+            let name = name.split(|c: char| !c.is_ascii_alphabetic()).next();
+            found.wants_vertices(&quoted(name.unwrap_or_default().as_bytes()))?;
+            take_lines(found, geometry)
         }
     }
+}
 
-    /// The vertices of a line, of a closed one the first once.
-    fn take_line(&mut self, line: &LineString<f64>) -> Result<(), Flaw> {
-        let is_same = |a: &Coord<f64>, b: &Coord<f64>| (a.x, a.y) == (b.x, b.y);
-        let mut coords = opened(line.coords(), is_same).iter();
-        coords.try_for_each(|coord| self.take(coord))
+/// The vertices of lines and polygons.
+fn take_lines(found: &mut Gathered, geometry: &Wkt<f64>) -> Result<(), Flaw> {
+    match geometry {
+        Wkt::LineString(line) => take_line(found, line),
+        Wkt::MultiLineString(many) => {
+            let mut lines = many.line_strings().iter();
+            lines.try_for_each(|line| take_line(found, line))
+        }
+        Wkt::Polygon(polygon) => polygon.rings().iter().try_for_each(|r| take_line(found, r)),
+        Wkt::MultiPolygon(many) => {
+            let mut rings = many.polygons().iter().flat_map(|p| p.rings());
+            rings.try_for_each(|ring| take_line(found, ring))
+        }
+        _ => Ok(()),
     }
+}
 
-    fn take(&mut self, coord: &Coord<f64>) -> Result<(), Flaw> {
-        let value = |v: f64| in_double_range(v).map_err(|e| e.at(Place::Line(self.line)));
-        self.points
-            .push(DVec2::new(value(coord.x)?, value(coord.y)?));
-        self.has_heights |= coord.z.is_some();
-        Ok(())
-    }
+fn take_line(found: &mut Gathered, line: &LineString<f64>) -> Result<(), Flaw> {
+    let coords = line.coords();
+    found.height(coords.iter().any(|coord| coord.z.is_some()));
+    found.measure(coords.iter().any(|coord| coord.m.is_some()));
+    found.line(coords.iter().map(|coord| Ok([coord.x, coord.y])))
+}
+
+fn take(found: &mut Gathered, coord: &Coord<f64>) -> Result<(), Flaw> {
+    found.height(coord.z.is_some());
+    found.measure(coord.m.is_some());
+    found.point(coord.x, coord.y)
 }

@@ -331,7 +331,8 @@ fn numpy_arrays_that_hold_no_points() {
 fn formats_that_hold_no_points() {
     assert_eq!(
         error("p.dxf", "0\n"),
-        "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, obj, npy or svg"
+        "p.dxf: points cannot be read from dxf: use csv, text, json, geojson, wkt, gpx, kml, obj, npy, svg, npz, ply, wkb, shapefile, \
+         las, flatgeobuf or parquet"
     );
 }
 

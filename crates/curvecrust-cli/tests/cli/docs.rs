@@ -68,8 +68,15 @@ fn every_row_of_bad_input() {
 #[test]
 fn every_other_bad_input_has_a_test() {
     let tests = [
+        include_str!("archives.rs"),
         include_str!("bad_documents.rs"),
+        include_str!("columns.rs"),
+        include_str!("geometries.rs"),
+        include_str!("models.rs"),
+        include_str!("scans.rs"),
+        include_str!("shapes.rs"),
         include_str!("bad_input.rs"),
+        include_str!("content.rs"),
         include_str!("files.rs"),
         include_str!("tiles.rs"),
     ]

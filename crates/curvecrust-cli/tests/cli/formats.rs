@@ -279,3 +279,29 @@ fn npy_holds_edges_and_samples() {
     let samples: Vec<[f64; 2]> = serde_json::from_value(samples["samples"].clone()).unwrap();
     assert_eq!(read(&folder, "samples.npy"), samples);
 }
+
+/// What is written is read again, by the readers of points.
+#[test]
+fn wkb_and_gpx_hold_what_wkt_holds() {
+    let folder = varied();
+    let points = |name: &str| {
+        folder.run(&format!("reconstruct p.xy -o {name}")).fine();
+        let options = "--vertices --merge-duplicates --json";
+        let run = folder.run(&format!("reconstruct {name} {options}"));
+        json(&run.fine())["points"].clone()
+    };
+    let expected = points("out.wkt");
+    assert_eq!(points("out.wkb"), expected);
+    // Tracks are closed, and points alone come first.
+    let track = points("out.gpx");
+    let (track, expected) = (track.as_array().unwrap(), expected.as_array().unwrap());
+    assert!(track.len() > expected.len());
+    assert!(expected.iter().all(|point| track.contains(point)));
+    folder.write("far.xy", "0 0\n1 0\n2 91\n");
+    let error = folder.run("reconstruct far.xy -o far.gpx").error();
+    assert!(
+        error.ends_with("gpx holds longitudes and latitudes, and (2, 91) is none"),
+        "{error}"
+    );
+    assert!(!folder.names().contains(&"far.gpx".to_owned()));
+}

@@ -6,21 +6,34 @@
     reason = "a test, its helpers included"
 )]
 
+#[cfg(feature = "npz")]
+mod archives;
 mod bad_documents;
 mod bad_input;
+#[cfg(feature = "parquet")]
+mod columns;
+mod content;
 mod curves;
 mod docs;
 mod drawings;
 mod files;
 mod fit;
 mod formats;
+#[cfg(feature = "wkb")]
+mod geometries;
 mod harness;
 #[cfg(target_os = "linux")]
 mod memory;
+#[cfg(feature = "ply")]
+mod models;
 mod point_files;
 mod processes;
 mod python;
 mod reconstruct;
 mod sample;
+#[cfg(feature = "las")]
+mod scans;
+#[cfg(feature = "shapefile")]
+mod shapes;
 mod tables;
 mod tiles;

@@ -50,7 +50,7 @@ fn every_output_is_written_within_64_bytes_a_point() {
     let count = 300;
     let folder = Folder::with("few.npy", circles(2));
     folder.write("many.npy", circles(count));
-    for format in ["csv", "json", "geojson", "wkt", "dxf", "svg"] {
+    for format in ["csv", "json", "geojson", "wkt", "wkb", "dxf", "svg"] {
         let of = |name: &str| {
             let line = format!(
                 "reconstruct {name} --algorithm hnn-crust --to {format} --quiet --threads 2"

@@ -1,5 +1,5 @@
 //! Results read by the readers that people have: numpy, shapely and ezdxf, where they are
-//! installed.
+//! installed; and points that numpy, shapely, pyarrow, pyshp, geopandas and laspy wrote.
 
 use crate::harness::{Folder, json};
 use std::process::Command;
@@ -66,16 +66,18 @@ fn numpy_reads_edges_and_its_points_are_read() {
 }
 
 #[test]
-fn shapely_finds_geojson_and_wkt_valid() {
+fn shapely_finds_geojson_wkt_and_wkb_valid() {
     let folder = varied();
     folder.run("reconstruct p.xy -o out.geojson").fine();
     folder.run("reconstruct p.xy -o out.wkt").fine();
+    folder.run("reconstruct p.xy -o out.wkb").fine();
     let program = "import json, shapely\n\
                    from shapely.geometry import shape\n\
                    features = json.load(open('out.geojson'))['features']\n\
                    parts = [shape(f['geometry']) for f in features]\n\
                    whole = shapely.from_wkt(open('out.wkt').read())\n\
                    assert whole.is_valid\n\
+                   assert whole == shapely.from_wkb(open('out.wkb', 'rb').read())\n\
                    assert list(whole.geoms) == parts, (whole, parts)\n\
                    assert parts[0].exterior.is_ccw and not parts[0].interiors[0].is_ccw\n\
                    print([p.geom_type for p in parts], parts[0].area, parts[1].length)";
@@ -100,5 +102,66 @@ fn ezdxf_finds_every_polyline_and_nothing_to_mend() {
     if let Some(printed) = python(&folder, "ezdxf", program) {
         let expected = "[('rings', True, 20), ('rings', True, 8), ('chains', False, 3)] 1\n";
         assert_eq!(printed, expected);
+    }
+}
+
+/// Points, and what writes them to a file by a module of Python.
+const WRITERS: &[(&str, &str, &str)] = &[
+    (
+        "numpy",
+        "p.npz",
+        "import numpy as np; np.savez_compressed('p.npz', x=x, y=y)",
+    ),
+    (
+        "shapely",
+        "p.wkb",
+        "import shapely; open('p.wkb', 'wb').write(shapely.to_wkb(shapely.MultiPoint(p)))",
+    ),
+    (
+        "pyarrow",
+        "p.parquet",
+        "import pyarrow as pa, pyarrow.parquet as pq\n\
+         pq.write_table(pa.table({'x': x, 'y': y}), 'p.parquet')",
+    ),
+    (
+        "shapefile",
+        "p.shp",
+        "import shapefile\n\
+         with shapefile.Writer('p.shp', shapefile.MULTIPOINT) as w:\n    \
+         w.field('n'); w.multipoint(p); w.record(1)",
+    ),
+    (
+        "geopandas",
+        "p.fgb",
+        "import geopandas as gpd\n\
+         s = gpd.GeoSeries.from_xy(x, y, crs=25832)\n\
+         s.to_file('p.fgb', driver='FlatGeobuf', SPATIAL_INDEX='NO')",
+    ),
+    (
+        "geopandas",
+        "g.parquet",
+        "import geopandas as gpd\n\
+         gpd.GeoDataFrame(geometry=gpd.GeoSeries.from_xy(x, y)).to_parquet('g.parquet')",
+    ),
+    (
+        "laspy",
+        "p.las",
+        "import laspy\n\
+         h = laspy.LasHeader(point_format=6, version='1.4'); h.scales = [0.5] * 3\n\
+         l = laspy.LasData(h); l.x, l.y, l.z = x, y, x; l.write('p.las')",
+    ),
+];
+
+#[test]
+fn points_of_other_writers_are_read() {
+    let folder = Folder::new();
+    let points = "p = [(1.5, -2.0), (3.0, 4.0), (5.0, 4.5)]\nx, y = map(list, zip(*p))\n";
+    for (module, name, program) in WRITERS {
+        if python(&folder, module, &format!("{points}{program}")).is_none() {
+            continue;
+        }
+        let found = json(&folder.run(&format!("reconstruct {name} --json")).fine());
+        let expected = serde_json::json!([[1.5, -2.0], [3.0, 4.0], [5.0, 4.5]]);
+        assert_eq!(found["points"], expected, "{name}");
     }
 }

@@ -34,7 +34,12 @@ fn columns_are_known_by_many_names() {
         ["x [mm]", "y [mm]"],
     ] {
         let table = format!("{y},id,{x}\n2.5,0,1.5\n4,1,3\n");
-        let note = format!("x is the column `{x}`, y is `{y}`");
+        let degrees = if x.starts_with(['l', 'L']) {
+            ": lengths are in degrees"
+        } else {
+            ""
+        };
+        let note = format!("x is the column `{x}`, y is `{y}`{degrees}");
         assert_eq!(read("p.csv", &table, ""), (TWO.to_vec(), vec![note]));
     }
     // As plain as can be: nothing to note.

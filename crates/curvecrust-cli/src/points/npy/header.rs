@@ -19,8 +19,10 @@ pub(super) struct Header {
     /// Whether all x come before all y.
     pub(super) by_columns: bool,
     pub(super) rows: usize,
-    /// Two, or three.
+    /// One, of an array of one dimension, two, or three.
     pub(super) columns: usize,
+    /// The shape as it stands there, fit for a message.
+    pub(super) shape: String,
 }
 
 /// How a number is stored.
@@ -66,6 +68,7 @@ pub(super) fn read(reader: &mut impl Read) -> Result<Header, Flaw> {
         },
         rows,
         columns,
+        shape: quoted(unwrapped(shape).as_bytes()),
     })
 }
 
@@ -129,12 +132,18 @@ fn number(descr: &str) -> Result<Number, Problem> {
     Ok(Number { bytes, big_endian })
 }
 
+/// A shape without its brackets.
+fn unwrapped(shape: &str) -> &str {
+    let inside = shape.strip_prefix('(').and_then(|s| s.strip_suffix(')'));
+    inside.unwrap_or(shape)
+}
+
 /// The numbers of rows and of columns.
 fn shape_of(shape: &str) -> Result<(usize, usize), Problem> {
-    let inside = shape.strip_prefix('(').and_then(|s| s.strip_suffix(')'));
-    let inside = inside.unwrap_or(shape);
+    let inside = unwrapped(shape);
     let sides: Vec<&str> = inside.split(',').map(str::trim).collect();
     let (rows, columns) = match sides[..] {
+        [rows, ""] => (rows.parse().ok(), 1),
         [rows, "2"] | [rows, "2", ""] => (rows.parse().ok(), 2),
         [rows, "3"] | [rows, "3", ""] => (rows.parse().ok(), 3),
         _ => (None, 0),

@@ -23,6 +23,9 @@ impl Rows {
     pub(crate) fn open(path: &Path) -> Result<Self, Flaw> {
         let mut reader = BufReader::new(File::open(path)?);
         let header = header::read(&mut reader)?;
+        if header.columns < 2 {
+            return Err(Problem::Shape(header.shape).into());
+        }
         if header.by_columns {
             return Err(Problem::ByColumns.into());
         }

@@ -1,0 +1,162 @@
+//! Points as the readers of geometries gather them. Heights and the last vertices of closed lines
+//! are left out, and the notes say so.
+
+use super::system::{DEGREES, System};
+use super::value::in_double_range;
+use super::{Flaw, Place, PointList, Problem, Wanted};
+use curvecrust::DVec2;
+
+/// Reference systems that a note names; what has more is no map.
+const MOST_SYSTEMS: usize = 8;
+
+/// Points, and what is known about them, on the way through a file.
+pub(super) struct Gathered {
+    points: Vec<DVec2>,
+    /// Whether vertices of lines and polygons are points.
+    vertices: bool,
+    /// Where the reader is; positions are counted here.
+    place: Place,
+    has_heights: bool,
+    has_measures: bool,
+    /// Lines whose last vertex, which repeats the first, was left out.
+    closed_lines: usize,
+    /// The different reference systems that were named.
+    systems: Vec<System>,
+    notes: Vec<String>,
+}
+
+impl Gathered {
+    pub(super) fn new(wanted: &Wanted) -> Self {
+        Self {
+            points: Vec::new(),
+            vertices: wanted.vertices,
+            place: Place::File,
+            has_heights: false,
+            has_measures: false,
+            closed_lines: 0,
+            systems: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Goes to a place: what follows is there.
+    pub(super) fn go_to(&mut self, place: Place) {
+        self.place = place;
+    }
+
+    /// A problem at the place where the reader is.
+    pub(super) fn flaw(&self, problem: Problem) -> Flaw {
+        problem.at(self.place)
+    }
+
+    /// Takes a point.
+    pub(super) fn point(&mut self, x: f64, y: f64) -> Result<(), Flaw> {
+        if let Place::Position(_, number) = &mut self.place {
+            *number += 1;
+        }
+        let value = |value| in_double_range(value).map_err(|problem| problem.at(self.place));
+        self.points.push(DVec2::new(value(x)?, value(y)?));
+        Ok(())
+    }
+
+    /// Takes the vertices of a line, of a closed one the first once. Whether they are wanted is
+    /// settled before, by [`Self::wants_vertices`].
+    pub(super) fn line(
+        &mut self,
+        vertices: impl IntoIterator<Item = Result<[f64; 2], Flaw>>,
+    ) -> Result<(), Flaw> {
+        let start = self.points.len();
+        for vertex in vertices {
+            let [x, y] = vertex?;
+            self.point(x, y)?;
+        }
+        if let [first, .., last] = &self.points[start..]
+            && first == last
+        {
+            self.points.pop();
+            self.closed_lines += 1;
+        }
+        Ok(())
+    }
+
+    /// An error unless vertices of what has this name are points.
+    pub(super) fn wants_vertices(&self, of: &str) -> Result<(), Flaw> {
+        if self.vertices {
+            Ok(())
+        } else {
+            let place = match self.place {
+                // A geometry is wrong, and none of its positions.
+                Place::Position(None, _) => Place::File,
+                Place::Position(Some(feature), _) => Place::Feature(feature),
+                place => place,
+            };
+            Err(Problem::Geometry(of.to_owned()).at(place))
+        }
+    }
+
+    /// Notes whether what was taken has a height.
+    pub(super) fn height(&mut self, has_height: bool) {
+        self.has_heights |= has_height;
+    }
+
+    /// Notes whether what was taken has a measure, the fourth coordinate of maps.
+    pub(super) fn measure(&mut self, has_measure: bool) {
+        self.has_measures |= has_measure;
+    }
+
+    /// Notes the reference system of what was taken.
+    pub(super) fn system(&mut self, system: System) {
+        if self.systems.len() <= MOST_SYSTEMS && !self.systems.contains(&system) {
+            self.systems.push(system);
+        }
+    }
+
+    /// Notes something else about how the points were read.
+    pub(super) fn note(&mut self, note: impl Into<String>) {
+        self.notes.push(note.into());
+    }
+
+    pub(super) fn finish(self) -> PointList {
+        let mut notes = self.notes;
+        notes.extend(system_note(&self.systems));
+        if self.has_heights {
+            notes.push("heights are left out".to_owned());
+        }
+        if self.has_measures {
+            notes.push("measures are left out".to_owned());
+        }
+        notes.extend(match self.closed_lines {
+            0 => None,
+            1 => Some("the last vertex of a closed line repeats the first and is left out".into()),
+            count => Some(format!(
+                "the last vertices of {count} closed lines repeat the first ones and are left out"
+            )),
+        });
+        PointList {
+            points: self.points,
+            notes,
+        }
+    }
+}
+
+/// What the user should know about the reference systems of a file.
+fn system_note(systems: &[System]) -> Option<String> {
+    let (first, others) = systems.split_first()?;
+    if others.is_empty() {
+        let note = format!("the reference system is {}", first.name);
+        return Some(match first.is_geographic {
+            true => format!("{note}: {DEGREES}"),
+            false => note,
+        });
+    }
+    let shown = systems.iter().take(MOST_SYSTEMS).map(|s| s.name.as_str());
+    let more = if systems.len() > MOST_SYSTEMS {
+        " and more"
+    } else {
+        ""
+    };
+    let names = shown.collect::<Vec<_>>().join(", ");
+    Some(format!(
+        "points of several reference systems are taken as they are: {names}{more}"
+    ))
+}
