@@ -45,8 +45,8 @@ impl Alpha {
         }
     }
 
-    /// Of the radii at which an edge appears, the one at which the fewest points have other than two
-    /// edges; the smallest of several. `None` without an edge.
+    /// Of the radii at which an edge appears, the one at which the fewest points have other than
+    /// two edges; the smallest of several. `None` without an edge.
     ///
     /// On evenly sampled closed curves no point is left without its two edges. Cost: O(n log n).
     #[must_use]

@@ -1,11 +1,11 @@
 //! A proof that a tour is the shortest: M. Held, R. M. Karp, "The Traveling-Salesman Problem and
 //! Minimum Spanning Trees: Part II", Mathematical Programming 1, 1971.
 //!
-//! Let every point have a price, and an edge cost its length and the prices of both ends. Every tour
-//! then costs its length and twice all prices, so the cheapest tour is the shortest. A 1-tree is a
-//! spanning tree of all points but the first, and two edges at the first; a tour is one. So if the
-//! cheapest 1-tree is a tour, it is the shortest tour. The prices rise where the cheapest 1-tree
-//! has more than two edges, and fall where it has less.
+//! Let every point have a price, and an edge cost its length and the prices of both ends. Every
+//! tour then costs its length and twice all prices, so the cheapest tour is the shortest. A 1-tree
+//! is a spanning tree of all points but the first, and two edges at the first; a tour is one. So if
+//! the cheapest 1-tree is a tour, it is the shortest tour. The prices rise where the cheapest
+//! 1-tree has more than two edges, and fall where it has less.
 
 use curvecrust_geometry::{DVec2, EdgeSet};
 

@@ -4,8 +4,8 @@
 //!
 //! Two samples that are nearest to each other are a seed. From the shortest seed on, each grows at
 //! both of its ends: a probe lies in the direction of the last edge, within 60 degrees of it and as
-//! far as 2.4 times its length. The nearest sample in the probe is joined. The curve stops where the
-//! probe is empty, and where it meets an edge that is there already.
+//! far as 2.4 times its length. The nearest sample in the probe is joined. The curve stops where
+//! the probe is empty, and where it meets an edge that is there already.
 //!
 //! A sample may be passed more than once, so curves may cross, and edges may: this is the only
 //! algorithm here whose edges are not among those of the Delaunay triangulation. No sampling

@@ -7,8 +7,8 @@
 //! equality. An unbounded side counts as t infinite.
 //!
 //! Correct for the boundary of an r-regular shape, one whose boundary has balls of radius r on both
-//! sides everywhere, if neighbouring samples are nearer than sin(pi / 8) r: a uniform condition, not
-//! one by the local feature size. Cost: that of the Delaunay triangulation, O(n log n).
+//! sides everywhere, if neighbouring samples are nearer than sin(pi / 8) r: a uniform condition,
+//! not one by the local feature size. Cost: that of the Delaunay triangulation, O(n log n).
 
 use curvecrust_geometry::{EdgeSet, PointSet};
 

@@ -2,9 +2,9 @@
 //! generalized curve reconstruction algorithm", Computers & Graphics 74, 2018. Its text could not
 //! be had: this follows descriptions of it, so the definition is argued.
 //!
-//! Of every Delaunay triangle the longest edge is peeled off, which leaves the Urquhart graph (R. B.
-//! Urquhart, 1980). Of that, the edges stay that are among the two shortest at both of their ends.
-//! Chains and rings result. A gap is closed where no third point is near its two ends.
+//! Of every Delaunay triangle the longest edge is peeled off, which leaves the Urquhart graph (R.
+//! B. Urquhart, 1980). Of that, the edges stay that are among the two shortest at both of their
+//! ends. Chains and rings result. A gap is closed where no third point is near its two ends.
 //!
 //! No sampling condition is known to make it exact. Cost: that of the Delaunay triangulation,
 //! O(n log n).

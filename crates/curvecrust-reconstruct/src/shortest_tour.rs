@@ -26,6 +26,9 @@ use crate::tour::Goal;
 /// The shortest closed tour through all points that the search finds, a simple polygon; a path if
 /// all points lie on one line.
 ///
+/// The search starts from an order that turns and mirrors of the points change. So where other
+/// tours are hardly longer, it may find another one for turned points.
+///
 /// ```
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::{is_shortest_tour, shortest_tour};

@@ -2,9 +2,9 @@
 //!
 //! A curve sampled densely enough is the shortest tour of its samples (Giesen, "Curve
 //! Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length", SoCG 1999),
-//! which also holds at corners. Sought is that tour, or the one of least length and detours, which is
-//! the cost of [least detour](mod@crate::least_detour): where samples are sparse it is right more
-//! often than the shortest. An open curve is a tour with a [gap](cost::Cost), and several open
+//! which also holds at corners. Sought is that tour, or the one of least length and detours, which
+//! is the cost of [least detour](mod@crate::least_detour): where samples are sparse it is right
+//! more often than the shortest. An open curve is a tour with a [gap](cost::Cost), and several open
 //! curves are one with several gaps.
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).

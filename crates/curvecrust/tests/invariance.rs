@@ -55,14 +55,21 @@ fn moved(points: &PointSet, by: impl Fn(DVec2) -> DVec2) -> PointSet {
 
 /// Compares the edges of all algorithms from both sets, the points of which correspond.
 fn assert_same(name: &str, what: &str, points: &PointSet, other: &PointSet) {
-    for algorithm in ALGORITHMS {
-        let (expected, found) = (algorithm.reconstruct(points), algorithm.reconstruct(other));
-        assert!(
-            expected == found,
-            "{} of {name}, {what}",
-            algorithm.info().name
-        );
+    for &algorithm in ALGORITHMS {
+        assert_same_by(algorithm, name, what, points, other);
     }
+}
+
+fn assert_same_by(
+    algorithm: &dyn Reconstructor,
+    name: &str,
+    what: &str,
+    points: &PointSet,
+    other: &PointSet,
+) {
+    let (expected, found) = (algorithm.reconstruct(points), algorithm.reconstruct(other));
+    let algorithm = algorithm.info().name;
+    assert!(expected == found, "{algorithm} of {name}, {what}");
 }
 
 #[test]
@@ -100,8 +107,15 @@ fn quarter_turns_and_mirrors_do_not_matter_without_ties() {
             ("mirrored at y", |p| DVec2::new(-p.x, p.y)),
             ("mirrored at the diagonal", |p| DVec2::new(p.y, p.x)),
         ];
+        // The search for the shortest tour starts from the order of the points along a Hilbert
+        // curve, which turns do change: of tours that are hardly longer it may find another.
+        let others = ALGORITHMS.iter().copied();
+        let others = others.filter(|algorithm| algorithm.info().name != "shortest-tour");
         for (what, turn) in turns {
-            assert_same(&name, what, &points, &moved(&points, turn));
+            let turned = moved(&points, turn);
+            for algorithm in others.clone() {
+                assert_same_by(algorithm, &name, what, &points, &turned);
+            }
         }
     }
     assert!(without_ties >= 10, "{without_ties}");

@@ -38,8 +38,8 @@ impl Numbers {
         Err(Problem::ColumnType { name, found }.into())
     }
 
-    /// Reads some of the next rows, as many at most, behind those that were read before, and returns
-    /// how many there are: none at the end.
+    /// Reads some of the next rows, as many at most, behind those that were read before, and
+    /// returns how many there are: none at the end.
     pub(super) fn read(
         &mut self,
         most: usize,

@@ -1,5 +1,5 @@
-//! The pages of a column, on their way to the decoders of the crate, which fail where a page needs a
-//! dictionary that is missing, or has fewer bytes than values.
+//! The pages of a column, on their way to the decoders of the crate, which fail where a page needs
+//! a dictionary that is missing, or has fewer bytes than values.
 
 use parquet::basic::{Encoding, Type};
 use parquet::column::page::{Page, PageMetadata, PageReader};
