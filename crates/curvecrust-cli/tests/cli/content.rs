@@ -55,9 +55,7 @@ fn binary_data_are_not_quoted() {
     }
     // Letters of other languages and other codes are text.
     let latin = b"H\xf6he,x,y\n1,2,3\n".to_vec();
-    let greek = "μήκος,x,y\n1,2,3\n"
-        .as_bytes()
-        .to_vec();
+    let greek = "μήκος,x,y\n1,2,3\n".as_bytes().to_vec();
     for content in [latin, greek] {
         let folder = Folder::with("p.csv", content);
         assert!(folder.run("reconstruct p.csv").fine().ends_with(",0,2,3\n"));
