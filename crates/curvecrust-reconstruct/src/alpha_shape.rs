@@ -13,7 +13,6 @@ use std::fmt;
 
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::{Delaunay, DualEdge};
-use rayon::prelude::*;
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor, Scope};
 use crate::delaunay_edges::{has_length, is_gabriel_edge};
@@ -115,9 +114,8 @@ struct Radii {
 
 fn radii(points: &PointSet) -> Vec<Radii> {
     let delaunay = Delaunay::new(points);
-    let triangles: Vec<[PointId; 3]> = delaunay.triangles().collect();
-    let radius: Vec<f64> = triangles
-        .into_par_iter()
+    let radius: Vec<f64> = delaunay
+        .triangles()
         .map(|triangle| VoronoiVertex::new(points, triangle).radius())
         .collect();
     let of = |dual: DualEdge| {
@@ -160,7 +158,7 @@ fn edges_at(count: usize, radii: &[Radii], alpha: f64, ids: &[PointId]) -> EdgeS
 fn own_alpha(count: usize, radii: &[Radii]) -> Option<f64> {
     let sorted_by = |key: fn(&Radii) -> f64| {
         let mut order: Vec<_> = radii.iter().map(|edge| (key(edge), edge.ends)).collect();
-        order.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        order.sort_unstable_by(|a: &(f64, _), b| a.0.total_cmp(&b.0));
         order
     };
     let appear = sorted_by(|edge| edge.least);

@@ -20,7 +20,6 @@ use std::fmt;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 use num_bigint::BigInt;
-use rayon::prelude::*;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
@@ -123,7 +122,7 @@ pub fn conservative_crust(points: &PointSet, rho: ConservativeRho) -> EdgeSet {
             disc.holds_vertex(points, vertex)
         })
     };
-    let mut kept: Vec<Disc> = gabriel.into_par_iter().filter(is_free).collect();
+    let mut kept: Vec<Disc> = gabriel.into_iter().filter(is_free).collect();
     if rho > ConservativeRho::LEAST {
         while remove_beside_leaves(points, &mut kept) {}
     }
@@ -140,14 +139,17 @@ fn remove_beside_leaves(points: &PointSet, kept: &mut Vec<Disc>) -> bool {
         .iter()
         .filter_map(|disc| Edge::new(disc.ends[0], disc.ends[1]));
     let leaves = EdgeSet::new(points.len(), edges).leaves();
-    let place = |&leaf: &PointId| GeomWithData::new(points[leaf].to_array(), leaf);
+    let place = |leaf: &PointId| GeomWithData::new(points[*leaf].to_array(), leaf.index());
     let leaves = RTree::bulk_load(leaves.iter().map(place).collect());
     let is_free = |disc: &Disc| {
+        let is_held = |leaf: &GeomWithData<[f64; 2], usize>| {
+            PointId::new(leaf.data).is_some_and(|leaf| disc.holds_leaf(points, leaf))
+        };
         let Some((centre, squared)) = disc.seen_from(DVec2::ZERO) else {
-            return !leaves.iter().any(|leaf| disc.holds_leaf(points, leaf.data));
+            return !leaves.iter().any(is_held);
         };
         let mut near = leaves.locate_within_distance(centre.into(), squared);
-        !near.any(|leaf| disc.holds_leaf(points, leaf.data))
+        !near.any(is_held)
     };
     let before = kept.len();
     kept.retain(is_free);

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::{Delaunay, DualEdge};
-use rayon::prelude::*;
 
 use crate::adjacency::Adjacency;
 use crate::delaunay_edges::has_length;
@@ -30,13 +29,12 @@ impl DelaunayGraph {
     pub(crate) fn new(points: &PointSet) -> Self {
         let (points, ids) = in_hilbert_order(points);
         let delaunay = Delaunay::new(&points);
-        let all: Vec<DualEdge> = delaunay.edges().collect();
-        let mut keyed: Vec<(f64, DualEdge)> = all
-            .into_par_iter()
+        let mut keyed: Vec<(f64, DualEdge)> = delaunay
+            .edges()
             .filter(|dual| has_length(&points, dual))
             .map(|dual| (squared(&points, dual.ends), dual))
             .collect();
-        keyed.par_sort_unstable_by(|(a, e), (b, f)| {
+        keyed.sort_unstable_by(|(a, e), (b, f)| {
             let by_places = || by_places(&points, e.ends, f.ends);
             a.total_cmp(b).then_with(by_places)
         });

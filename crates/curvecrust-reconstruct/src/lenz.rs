@@ -12,8 +12,6 @@
 //! condition is known to make it exact. Cost: O(n log n) for a search around each edge, where few
 //! samples are in a probe.
 
-use std::collections::HashSet;
-
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use rstar::RTree;
@@ -51,11 +49,12 @@ pub fn lenz(points: &PointSet) -> EdgeSet {
             growth.grow([seed[1], seed[0]]);
         }
     }
-    let named = growth.edges.iter().filter_map(|&[p, q]| {
-        let [p, q] = [p, q].map(|v| ids[v.index()]);
-        Edge::new(p, q)
+    let pairs = points.ids().zip(&growth.partners);
+    let edges = pairs.flat_map(|(p, partners)| {
+        let named = move |&q: &PointId| Edge::new(ids[p.index()], ids[q.index()]);
+        partners.iter().filter_map(named)
     });
-    EdgeSet::new(points.len(), named)
+    EdgeSet::new(points.len(), edges)
 }
 
 /// Pairs of samples that are nearest to each other, the closest first.
@@ -89,24 +88,30 @@ fn in_place(points: &PointSet, [p, q]: [PointId; 2]) -> [PointId; 2] {
 
 struct Growth<'a> {
     points: &'a PointSet,
-    tree: RTree<GeomWithData<[f64; 2], PointId>>,
-    /// Each as its lower and its higher id.
-    edges: HashSet<[PointId; 2]>,
+    /// Every place with its index.
+    tree: RTree<GeomWithData<[f64; 2], usize>>,
+    /// Of every point those that it is joined with.
+    partners: Vec<Vec<PointId>>,
 }
 
 impl<'a> Growth<'a> {
     fn new(points: &'a PointSet) -> Self {
-        let place = |id: PointId| GeomWithData::new(points[id].to_array(), id);
+        let place = |id: PointId| GeomWithData::new(points[id].to_array(), id.index());
         Self {
             points,
             tree: RTree::bulk_load(points.ids().map(place).collect()),
-            edges: HashSet::new(),
+            partners: vec![Vec::new(); points.len()],
         }
     }
 
     /// Whether the edge is new.
     fn add(&mut self, [p, q]: [PointId; 2]) -> bool {
-        self.edges.insert([p.min(q), p.max(q)])
+        let is_new = !self.partners[p.index()].contains(&q);
+        if is_new {
+            self.partners[p.index()].push(q);
+            self.partners[q.index()].push(p);
+        }
+        is_new
     }
 
     /// Goes on from an edge, in its direction.
@@ -132,11 +137,11 @@ impl<'a> Growth<'a> {
                 break;
             }
             let is_ahead = last.dot(step) >= HALF_ANGLE * last.length() * step.length();
-            let comes_first = best.is_none_or(|(_, other)| {
-                by_coordinates(self.points[near.data], self.points[other]).is_lt()
-            });
-            if near.data != at && is_ahead && comes_first {
-                best = Some((squared, near.data));
+            let to = self.points.points()[near.data];
+            let comes_first =
+                best.is_none_or(|(_, other)| by_coordinates(to, self.points[other]).is_lt());
+            if near.data != at.index() && is_ahead && comes_first {
+                best = PointId::new(near.data).map(|id| (squared, id));
             }
         }
         best.map(|(_, id)| id)

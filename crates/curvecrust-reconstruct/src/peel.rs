@@ -9,8 +9,6 @@
 //! No sampling condition is known to make it exact. Cost: that of the Delaunay triangulation,
 //! O(n log n).
 
-use std::collections::BTreeMap;
-
 use curvecrust_geometry::{EdgeSet, PointSet};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
@@ -58,8 +56,8 @@ pub fn peel(points: &PointSet) -> EdgeSet {
 /// The triangles, those around one circle together.
 struct Faces {
     corners: Vec<[u32; 3]>,
-    /// For the triangles that share their circle: all vertices on it.
-    rounds: BTreeMap<u32, Vec<u32>>,
+    /// For the triangles that share their circle: the round, and a vertex on it, ascending.
+    on_circles: Vec<[u32; 2]>,
     /// Which round a triangle belongs to: its own number if it is alone.
     round: Vec<u32>,
 }
@@ -78,24 +76,30 @@ impl Faces {
                 shared.extend([left, right]);
             }
         }
-        let round = (0u32..)
-            .take(corners.len())
-            .map(|face| clusters.name(face))
-            .collect::<Vec<_>>();
-        let mut rounds = BTreeMap::<u32, Vec<u32>>::new();
-        for face in shared {
-            let on_circle = rounds.entry(round[face as usize]).or_default();
-            on_circle.extend(corners[face as usize]);
-        }
-        for on_circle in rounds.values_mut() {
-            on_circle.sort_unstable();
-            on_circle.dedup();
-        }
+        let faces = (0u32..).take(corners.len());
+        let round: Vec<u32> = faces.map(|face| clusters.name(face)).collect();
+        let on_circle = |face: &u32| {
+            let round = round[*face as usize];
+            corners[*face as usize].map(|corner| [round, corner])
+        };
+        let mut on_circles: Vec<[u32; 2]> = shared.iter().flat_map(on_circle).collect();
+        on_circles.sort_unstable();
+        on_circles.dedup();
         Self {
             corners,
-            rounds,
+            on_circles,
             round,
         }
+    }
+
+    /// The vertices on the circle around a triangle.
+    fn on_circle(&self, face: u32) -> impl Iterator<Item = u32> + '_ {
+        let round = self.round[face as usize];
+        let first = self.on_circles.partition_point(|pair| pair[0] < round);
+        let shared = self.on_circles[first..].iter();
+        let shared = shared.take_while(move |pair| pair[0] == round);
+        let own = self.corners[face as usize];
+        own.into_iter().chain(shared.map(|pair| pair[1]))
     }
 
     /// Whether the edge is longer than the two others of a triangle beside it.
@@ -103,15 +107,12 @@ impl Faces {
         let [p, q] = dual.ends.map(u32::from);
         let [a, b] = [p, q].map(|end| graph.at(end));
         let squared = a.distance_squared(b);
-        let is_between = |&r: &u32| {
+        let is_between = |r: u32| {
             let at = graph.at(r);
             r != p && r != q && at.distance_squared(a).max(at.distance_squared(b)) < squared
         };
-        dual.triangles.into_iter().filter_map(number).any(|face| {
-            let alone = &self.corners[face as usize][..];
-            let round = self.rounds.get(&self.round[face as usize]);
-            round.map_or(alone, Vec::as_slice).iter().any(is_between)
-        })
+        let mut beside = dual.triangles.into_iter().filter_map(number);
+        beside.any(|face| self.on_circle(face).any(is_between))
     }
 }
 

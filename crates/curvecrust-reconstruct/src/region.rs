@@ -3,7 +3,7 @@
 //! Connecting Unorganized 2D Points", Computer Graphics Forum 32(8), 2013.
 
 use std::cmp::Ordering;
-use std::collections::{BinaryHeap, HashSet};
+use std::collections::BinaryHeap;
 
 use curvecrust_geometry::{PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
@@ -31,11 +31,12 @@ pub(crate) struct Region<'a> {
 impl<'a> Region<'a> {
     /// The triangles that cannot be reached from outside of the hull without crossing a wall.
     pub(crate) fn within(points: &'a PointSet, delaunay: &Delaunay, walls: &[[u32; 2]]) -> Self {
-        let walls: HashSet<[u32; 2]> = walls.iter().copied().map(ascending).collect();
+        let mut walls: Vec<[u32; 2]> = walls.iter().copied().map(ascending).collect();
+        walls.sort_unstable();
         let mut region = Self::empty(points, delaunay);
         let mut is_outside = vec![false; region.corners.len()];
         let mut reached = Vec::new();
-        let is_open = |side: [u32; 2]| !walls.contains(&ascending(side));
+        let is_open = |side: [u32; 2]| walls.binary_search(&ascending(side)).is_err();
         for face in region.faces() {
             let sides = region.sides(face);
             if sides

@@ -44,7 +44,11 @@ pub(crate) fn toolchain() -> Option<Command> {
         return None;
     }
     let mut command = Command::new(cargo);
-    command.args(["-Z", "build-std=std,panic_abort"]);
+    command.args([
+        "-Z",
+        "build-std=std,panic_abort",
+        "-Zbuild-std-features=optimize_for_size",
+    ]);
     command.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
     command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker);
     // Of the toolchain that runs this task; they would lead back to it.
