@@ -44,9 +44,8 @@ pub fn lenz(points: &PointSet) -> EdgeSet {
     let (points, ids) = &in_hilbert_order(points);
     let mut growth = Growth::new(points);
     for seed in seeds(points) {
-        if growth.add(seed) {
+        if !growth.holds(seed) {
             growth.grow(seed);
-            growth.grow([seed[1], seed[0]]);
         }
     }
     let pairs = points.ids().zip(&growth.partners);
@@ -104,23 +103,31 @@ impl<'a> Growth<'a> {
         }
     }
 
-    /// Whether the edge is new.
-    fn add(&mut self, [p, q]: [PointId; 2]) -> bool {
-        let is_new = !self.partners[p.index()].contains(&q);
-        if is_new {
+    fn holds(&self, [p, q]: [PointId; 2]) -> bool {
+        self.partners[p.index()].contains(&q)
+    }
+
+    fn add(&mut self, [p, q]: [PointId; 2]) {
+        if !self.holds([p, q]) {
             self.partners[p.index()].push(q);
             self.partners[q.index()].push(p);
         }
-        is_new
     }
 
-    /// Goes on from an edge, in its direction.
-    fn grow(&mut self, mut last: [PointId; 2]) {
-        while let Some(next) = self.probed(last) {
-            last = [last[1], next];
-            if !self.add(last) {
-                break;
+    /// A curve from its seed on, an edge further at both ends by turns: neither end is the first,
+    /// so a turn of the points changes nothing.
+    fn grow(&mut self, [p, q]: [PointId; 2]) {
+        let mut ends = vec![[p, q], [q, p]];
+        while !ends.is_empty() {
+            for &end in &ends {
+                self.add(end);
             }
+            let next = |&last: &[PointId; 2]| Some([last[1], self.probed(last)?]);
+            ends = ends
+                .iter()
+                .filter_map(next)
+                .filter(|&end| !self.holds(end))
+                .collect();
         }
     }
 

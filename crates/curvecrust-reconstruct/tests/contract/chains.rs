@@ -180,38 +180,24 @@ pub(crate) fn lenz(points: &PointSet) -> EdgeSet {
             by_distance.then(by_coordinates(points[p], points[q]))
         })
     };
-    let mut seeds = mutual(points, |v| vec![nearest_of(v, &|_| true)]);
-    for seed in &mut seeds {
-        if by_coordinates(points[seed[0]], points[seed[1]]).is_gt() {
-            seed.reverse();
-        }
-    }
+    let seeds = mutual(points, |v| vec![nearest_of(v, &|_| true)]);
     let mut edges = EdgeSet::new(points.len(), []);
-    let add = |edges: &mut EdgeSet, [p, q]: Pair| {
-        let edge = Edge::new(p, q).unwrap();
-        let is_new = !edges.contains(edge);
-        *edges = EdgeSet::new(points.len(), edges.edges().iter().copied().chain([edge]));
-        is_new
+    let further = |[from, at]: Pair| {
+        let last = points[at] - points[from];
+        let next = nearest_of(at, &|w| {
+            let step = points[w] - points[at];
+            step.length_squared() <= 2.4 * 2.4 * last.length_squared()
+                && last.dot(step) >= 0.5 * last.length() * step.length()
+        })?;
+        Some([at, next])
     };
     for [p, q] in seeds {
-        if !add(&mut edges, [p, q]) {
-            continue;
-        }
-        for mut last in [[p, q], [q, p]] {
-            loop {
-                let [from, at] = last.map(|v| points[v]);
-                let next = nearest_of(last[1], &|w| {
-                    let step = points[w] - at;
-                    let ahead = (at - from).dot(step);
-                    step.length_squared() <= 2.4 * 2.4 * (at - from).length_squared()
-                        && ahead >= 0.5 * (at - from).length() * step.length()
-                });
-                let Some(next) = next else { break };
-                last = [last[1], next];
-                if !add(&mut edges, last) {
-                    break;
-                }
-            }
+        let mut ends = vec![[p, q], [q, p]];
+        while !ends.is_empty() {
+            ends.retain(|&[p, q]| !edges.contains(Edge::new(p, q).unwrap()));
+            let added = ends.iter().map(|&[p, q]| Edge::new(p, q).unwrap());
+            edges = EdgeSet::new(points.len(), edges.edges().iter().copied().chain(added));
+            ends = ends.into_iter().filter_map(further).collect();
         }
     }
     edges
