@@ -4,7 +4,7 @@ use crate::compare::true_curves::arc;
 use crate::figure::{Figure, Panel};
 use crate::paper::figures::marked;
 use curvecrust::DVec2;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
+use curvecrust::geometry::{Component, EdgeSet, PointSet, Random};
 use curvecrust::reconstruct::{ALGORITHMS, Reconstructor};
 use std::f64::consts::TAU;
 
@@ -23,13 +23,11 @@ impl Input {
         let mut points = Vec::new();
         let mut edges = Vec::new();
         for (strand, closed) in strands {
-            let ids: Vec<PointId> = (points.len()..points.len() + strand.len())
-                .filter_map(PointId::new)
-                .collect();
-            let next = ids.iter().cycle().skip(1);
-            let count = strand.len() - usize::from(!closed && !strand.is_empty());
-            let along = ids.iter().zip(next).take(count);
-            edges.extend(along.filter_map(|(&p, &q)| Edge::new(p, q)));
+            let component = Component {
+                range: points.len()..points.len() + strand.len(),
+                closed,
+            };
+            edges.extend(component.edges());
             points.extend(strand);
         }
         Ok(Self {

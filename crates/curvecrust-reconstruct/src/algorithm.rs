@@ -57,13 +57,7 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
         points: &PointSet,
         known: &Known,
     ) -> Result<EdgeSet, ReconstructError> {
-        if known.is_of_termini_alone() {
-            self.reconstruct_open(points, &known.termini)
-        } else {
-            Err(ReconstructError::KnownNotHonoured {
-                algorithm: self.info().name,
-            })
-        }
+        reconstruct_termini_alone(self, points, known)
     }
 
     /// The edges of [`reconstruct_open`](Self::reconstruct_open) and the free ends, each with its
@@ -100,7 +94,7 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
 
 /// The edges of an algorithm that can be told about termini at most.
 pub(crate) fn reconstruct_termini_alone(
-    algorithm: &dyn Reconstructor,
+    algorithm: &(impl Reconstructor + ?Sized),
     points: &PointSet,
     known: &Known,
 ) -> Result<EdgeSet, ReconstructError> {

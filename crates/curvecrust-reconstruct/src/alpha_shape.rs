@@ -9,14 +9,13 @@
 //! the least lfs: one alpha for all, so it fails where density varies. Cost: that of the Delaunay
 //! triangulation, O(n log n).
 
-use std::fmt;
-
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor, Scope};
 use crate::delaunay_edges::{has_length, is_gabriel_edge};
 use crate::error::ReconstructError;
+use crate::parameter::parameter;
 use crate::voronoi_vertex::VoronoiVertex;
 
 /// The radius of an alpha-shape: finite and above 0.
@@ -50,37 +49,11 @@ impl Alpha {
     /// On evenly sampled closed curves no point is left without its two edges. Cost: O(n log n).
     #[must_use]
     pub fn of(points: &PointSet) -> Option<Self> {
-        let (points, _) = in_hilbert_order(points);
-        own_alpha(points.len(), &radii(&points)).map(Self)
-    }
-
-    /// The radius.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        self.0
+        Shapes::new(points).own_alpha().map(Self)
     }
 }
 
-/// [`Alpha::new`].
-impl TryFrom<f64> for Alpha {
-    type Error = ReconstructError;
-
-    fn try_from(alpha: f64) -> Result<Self, Self::Error> {
-        Self::new(alpha)
-    }
-}
-
-impl From<Alpha> for f64 {
-    fn from(alpha: Alpha) -> Self {
-        alpha.0
-    }
-}
-
-impl fmt::Display for Alpha {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
+parameter!(Alpha);
 
 /// The edges of the alpha-shape, by radii in floating point.
 ///
@@ -101,8 +74,7 @@ impl fmt::Display for Alpha {
 /// ```
 #[must_use]
 pub fn alpha_shape(points: &PointSet, alpha: Alpha) -> EdgeSet {
-    let (sorted, ids) = in_hilbert_order(points);
-    edges_at(points.len(), &radii(&sorted), alpha.0, &ids)
+    Shapes::new(points).at(alpha.0)
 }
 
 /// An edge, and the radii of the empty discs that touch both its ends.
@@ -143,42 +115,57 @@ fn radii(points: &PointSet) -> Vec<Radii> {
         .collect()
 }
 
-fn edges_at(count: usize, radii: &[Radii], alpha: f64, ids: &[PointId]) -> EdgeSet {
-    let kept = radii
-        .iter()
-        .filter(|edge| edge.least <= alpha && alpha < edge.largest);
-    let named = kept.filter_map(|edge| {
-        let [p, q] = edge.ends.map(|v| ids[v.index()]);
-        Edge::new(p, q)
-    });
-    EdgeSet::new(count, named)
+/// The shapes of some points, one for each alpha.
+struct Shapes {
+    radii: Vec<Radii>,
+    /// What the caller calls the points.
+    ids: Vec<PointId>,
 }
 
-/// Alpha grows past the radii at which edges appear and, behind them, disappear.
-fn own_alpha(count: usize, radii: &[Radii]) -> Option<f64> {
-    let sorted_by = |key: fn(&Radii) -> f64| {
-        let mut order: Vec<_> = radii.iter().map(|edge| (key(edge), edge.ends)).collect();
-        order.sort_unstable_by(|a: &(f64, _), b| a.0.total_cmp(&b.0));
-        order
-    };
-    let appear = sorted_by(|edge| edge.least);
-    let mut vanish = sorted_by(|edge| edge.largest).into_iter().peekable();
-    let mut degrees = Degrees::new(count);
-    let mut best: Option<(usize, f64)> = None;
-    #[expect(clippy::float_cmp, reason = "edges that appear at the same radius")]
-    for together in appear.chunk_by(|a, b| a.0 == b.0) {
-        let alpha = together[0].0;
-        for &(_, ends) in together {
-            degrees.change(ends, 1);
-        }
-        while let Some((_, ends)) = vanish.next_if(|&(largest, _)| largest <= alpha) {
-            degrees.change(ends, -1);
-        }
-        if best.is_none_or(|(wrong, _)| degrees.wrong < wrong) {
-            best = Some((degrees.wrong, alpha));
-        }
+impl Shapes {
+    fn new(points: &PointSet) -> Self {
+        let (points, ids) = in_hilbert_order(points);
+        let radii = radii(&points);
+        Self { radii, ids }
     }
-    best.map(|(_, alpha)| alpha)
+
+    fn at(&self, alpha: f64) -> EdgeSet {
+        let radii = self.radii.iter();
+        let kept = radii.filter(|edge| edge.least <= alpha && alpha < edge.largest);
+        let named = kept.filter_map(|edge| {
+            let [p, q] = edge.ends.map(|v| self.ids[v.index()]);
+            Edge::new(p, q)
+        });
+        EdgeSet::new(self.ids.len(), named)
+    }
+
+    /// Alpha grows past the radii at which edges appear and, behind them, disappear.
+    fn own_alpha(&self) -> Option<f64> {
+        let sorted_by = |key: fn(&Radii) -> f64| {
+            let radii = self.radii.iter();
+            let mut order: Vec<_> = radii.map(|edge| (key(edge), edge.ends)).collect();
+            order.sort_unstable_by(|a: &(f64, _), b| a.0.total_cmp(&b.0));
+            order
+        };
+        let appear = sorted_by(|edge| edge.least);
+        let mut vanish = sorted_by(|edge| edge.largest).into_iter().peekable();
+        let mut degrees = Degrees::new(self.ids.len());
+        let mut best: Option<(usize, f64)> = None;
+        #[expect(clippy::float_cmp, reason = "edges that appear at the same radius")]
+        for together in appear.chunk_by(|a, b| a.0 == b.0) {
+            let alpha = together[0].0;
+            for &(_, ends) in together {
+                degrees.change(ends, 1);
+            }
+            while let Some((_, ends)) = vanish.next_if(|&(largest, _)| largest <= alpha) {
+                degrees.change(ends, -1);
+            }
+            if best.is_none_or(|(wrong, _)| degrees.wrong < wrong) {
+                best = Some((degrees.wrong, alpha));
+            }
+        }
+        best.map(|(_, alpha)| alpha)
+    }
 }
 
 /// The number of edges at each point.
@@ -232,12 +219,9 @@ impl Reconstructor for AlphaShape {
     }
 
     fn reconstruct(&self, points: &PointSet) -> EdgeSet {
-        let (sorted, ids) = in_hilbert_order(points);
-        let radii = radii(&sorted);
-        let own = || own_alpha(points.len(), &radii);
-        let Some(alpha) = self.alpha.map(Alpha::get).or_else(own) else {
-            return EdgeSet::new(points.len(), []);
-        };
-        edges_at(points.len(), &radii, alpha, &ids)
+        let shapes = Shapes::new(points);
+        let alpha = self.alpha.map(Alpha::get);
+        // Without an edge there is no alpha, and any will do.
+        shapes.at(alpha.or_else(|| shapes.own_alpha()).unwrap_or_default())
     }
 }

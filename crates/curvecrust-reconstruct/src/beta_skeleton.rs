@@ -11,13 +11,12 @@
 //! Correct for closed smooth curves with epsilon < 0.297 at beta = 1.7. Cost: that of the Delaunay
 //! triangulation, O(n log n).
 
-use std::fmt;
-
 use curvecrust_geometry::{EdgeSet, PointSet};
 
 use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
 use crate::delaunay_edges::{filtered, is_skeleton_edge};
 use crate::error::ReconstructError;
+use crate::parameter::parameter;
 
 /// The parameter of a beta-skeleton: finite and at least 1.
 ///
@@ -48,34 +47,9 @@ impl Beta {
             Err(ReconstructError::Beta { beta })
         }
     }
-
-    /// The parameter.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        self.0
-    }
 }
 
-/// [`Beta::new`].
-impl TryFrom<f64> for Beta {
-    type Error = ReconstructError;
-
-    fn try_from(beta: f64) -> Result<Self, Self::Error> {
-        Self::new(beta)
-    }
-}
-
-impl From<Beta> for f64 {
-    fn from(beta: Beta) -> Self {
-        beta.0
-    }
-}
-
-impl fmt::Display for Beta {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
+parameter!(Beta);
 
 /// The beta-skeleton: Delaunay edges that subtend less than asin(1/beta) at both apexes.
 ///

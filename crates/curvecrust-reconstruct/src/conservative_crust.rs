@@ -15,8 +15,6 @@
 //! Cost: that of the Delaunay triangulation, O(n log n), and a search around each edge; for rho
 //! above 1, in every round.
 
-use std::fmt;
-
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
 use num_bigint::BigInt;
@@ -27,6 +25,7 @@ use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::delaunay_edges::is_gabriel_edge;
 use crate::error::ReconstructError;
 use crate::exact::{Vector, dot, integers, sub};
+use crate::parameter::parameter;
 use crate::pencil::circumcentre;
 use crate::voronoi_vertex::VoronoiVertex;
 use crate::voronoi_vertices::VoronoiVertices;
@@ -62,34 +61,9 @@ impl ConservativeRho {
             Err(ReconstructError::ConservativeRho { rho })
         }
     }
-
-    /// The parameter.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        self.0
-    }
 }
 
-/// [`ConservativeRho::new`].
-impl TryFrom<f64> for ConservativeRho {
-    type Error = ReconstructError;
-
-    fn try_from(rho: f64) -> Result<Self, Self::Error> {
-        Self::new(rho)
-    }
-}
-
-impl From<ConservativeRho> for f64 {
-    fn from(rho: ConservativeRho) -> Self {
-        rho.0
-    }
-}
-
-impl fmt::Display for ConservativeRho {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
+parameter!(ConservativeRho);
 
 /// The edges of Conservative Crust, exactly; what lies on the boundary of a disc is outside.
 ///

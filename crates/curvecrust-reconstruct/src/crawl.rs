@@ -56,7 +56,7 @@ fn next(graph: &DelaunayGraph, paths: &Paths, ends: [u32; 2]) -> Option<[u32; 2]
         let mut around = graph.around(from);
         let goes_on =
             |to: u32| paths.is_free(to) || paths.far_end(from) == to && !paths.are_joined(from, to);
-        let found = around.find(|&(_, to)| to != from && goes_on(to))?;
+        let found = around.find(|&(_, to)| goes_on(to))?;
         Some((found.0, [from, found.1]))
     };
     let found = ends.into_iter().filter_map(shortest);

@@ -21,6 +21,8 @@ pub(crate) struct DelaunayGraph {
     pub(crate) delaunay: Delaunay,
     /// The shortest first, equally long ones by the coordinates of their ends.
     pub(crate) edges: Vec<DualEdge>,
+    /// The other edges of the triangulation, between triangles on one circle; in no order.
+    pub(crate) inside_circles: Vec<DualEdge>,
     /// The edges at every vertex by their numbers, the shortest first.
     numbers: Adjacency,
 }
@@ -29,11 +31,11 @@ impl DelaunayGraph {
     pub(crate) fn new(points: &PointSet) -> Self {
         let (points, ids) = in_hilbert_order(points);
         let delaunay = Delaunay::new(&points);
-        let mut keyed: Vec<(f64, DualEdge)> = delaunay
-            .edges()
-            .filter(|dual| has_length(&points, dual))
-            .map(|dual| (squared(&points, dual.ends), dual))
-            .collect();
+        let (longer, inside_circles): (Vec<DualEdge>, _) =
+            delaunay.edges().partition(|dual| has_length(&points, dual));
+        let keyed = longer.into_iter();
+        let keyed = keyed.map(|dual| (squared(&points, dual.ends), dual));
+        let mut keyed: Vec<(f64, DualEdge)> = keyed.collect();
         keyed.sort_unstable_by(|(a, e), (b, f)| {
             let by_places = || by_places(&points, e.ends, f.ends);
             a.total_cmp(b).then_with(by_places)
@@ -46,6 +48,7 @@ impl DelaunayGraph {
             ids,
             delaunay,
             edges,
+            inside_circles,
             numbers,
         }
     }
@@ -88,6 +91,18 @@ impl DelaunayGraph {
 
     pub(crate) fn ends(&self, number: u32) -> [u32; 2] {
         self.edges[number as usize].ends.map(u32::from)
+    }
+
+    /// The numbers of the edges that both of their ends take, ascending; `takes` names those that a
+    /// vertex takes.
+    pub(crate) fn taken_by_both(&self, takes: impl Fn(u32) -> [Option<u32>; 2]) -> Vec<u32> {
+        let taken: Vec<[Option<u32>; 2]> = self.vertices().map(takes).collect();
+        let is_taken = |number: u32| {
+            let mut ends = self.ends(number).into_iter();
+            ends.all(|v| taken[v as usize].contains(&Some(number)))
+        };
+        let numbers = (0u32..).take(self.edges.len());
+        numbers.filter(|&number| is_taken(number)).collect()
     }
 
     /// Edges between vertices, as edges between the points of the caller.

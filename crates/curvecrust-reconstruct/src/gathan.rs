@@ -40,22 +40,17 @@ const AT_CORNERS: f64 = 2.0;
 pub fn gathan(points: &PointSet) -> EdgeSet {
     let graph = DelaunayGraph::new(points);
     let poles = poles(&graph);
-    let takes: Vec<[Option<u32>; 2]> = graph
-        .vertices()
-        .map(|v| taken(&graph, v, &poles[v as usize]))
-        .collect();
+    let taken = graph.taken_by_both(|v| taken(&graph, v, &poles[v as usize]));
     let mut degrees = vec![0_u8; graph.len()];
     // The longest edge that stays at each sample.
     let mut longest = vec![0.0_f64; graph.len()];
     let mut stays = vec![false; graph.edges.len()];
-    for (number, [p, q]) in (0u32..).zip(graph.pairs()) {
-        let is_taken = |v: u32| takes[v as usize].contains(&Some(number));
-        if is_taken(p) && is_taken(q) {
-            stays[number as usize] = true;
-            for end in [p, q] {
-                degrees[end as usize] += 1;
-                longest[end as usize] = graph.length(p, q);
-            }
+    for number in taken {
+        let [p, q] = graph.ends(number);
+        stays[number as usize] = true;
+        for end in [p, q] {
+            degrees[end as usize] += 1;
+            longest[end as usize] = graph.length(p, q);
         }
     }
     for (number, [p, q]) in graph.pairs().enumerate() {

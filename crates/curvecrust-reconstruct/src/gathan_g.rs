@@ -85,15 +85,10 @@ fn smooth_chains(graph: &DelaunayGraph) -> Paths {
         });
         [nearest, opposite].map(|edge| edge.map(|(number, _)| number))
     };
-    let takes: Vec<[Option<u32>; 2]> = graph.vertices().map(taken).collect();
     let mut paths = Paths::new(graph.len());
-    for (number, ends) in (0u32..).zip(graph.pairs()) {
-        let is_mutual = ends
-            .iter()
-            .all(|&v| takes[v as usize].contains(&Some(number)));
-        if is_mutual {
-            paths.join(ends[0], ends[1]);
-        }
+    for number in graph.taken_by_both(taken) {
+        let [p, q] = graph.ends(number);
+        paths.join(p, q);
     }
     paths
 }

@@ -105,6 +105,7 @@ pub mod neighbours;
 pub mod nn_crust;
 pub mod normalised_mesh;
 pub mod one_step_crust;
+mod parameter;
 mod paths;
 pub mod peel;
 mod pencil;

@@ -19,6 +19,17 @@ impl Paths {
         }
     }
 
+    /// The number of vertices.
+    pub(crate) fn len(&self) -> usize {
+        self.partners.len()
+    }
+
+    /// The vertices that it is joined to, in the order in which they were.
+    pub(crate) fn partners(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+        let partners = self.partners[v as usize].iter().copied();
+        partners.filter(|&w| w != NONE)
+    }
+
     /// Whether no edge leads to the vertex.
     pub(crate) fn is_free(&self, v: u32) -> bool {
         self.partners[v as usize][0] == NONE
@@ -36,8 +47,7 @@ impl Paths {
 
     /// The vertex before the end of a path.
     pub(crate) fn before(&self, end: u32) -> Option<u32> {
-        let [before, _] = self.partners[end as usize];
-        (before != NONE).then_some(before)
+        self.partners(end).next()
     }
 
     pub(crate) fn are_joined(&self, v: u32, w: u32) -> bool {
@@ -60,9 +70,10 @@ impl Paths {
 
     /// All edges, each once.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        (0u32..).zip(&self.partners).flat_map(|(v, partners)| {
-            let up = partners.iter().filter(move |&&w| w != NONE && v < w);
-            up.map(move |&w| [v, w])
+        let vertices = (0u32..).take(self.len());
+        vertices.flat_map(|v| {
+            let up = self.partners(v).filter(move |&w| v < w);
+            up.map(move |w| [v, w])
         })
     }
 }

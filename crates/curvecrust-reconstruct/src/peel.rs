@@ -10,11 +10,10 @@
 //! O(n log n).
 
 use curvecrust_geometry::{EdgeSet, PointSet};
-use curvecrust_voronoi::{Delaunay, DualEdge};
+use curvecrust_voronoi::DualEdge;
 
 use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::clusters::Clusters;
-use crate::delaunay_edges::has_length;
 use crate::delaunay_graph::DelaunayGraph;
 
 /// The edges of Peel.
@@ -33,7 +32,7 @@ use crate::delaunay_graph::DelaunayGraph;
 #[must_use]
 pub fn peel(points: &PointSet) -> EdgeSet {
     let graph = DelaunayGraph::new(points);
-    let faces = Faces::new(&graph.points, &graph.delaunay);
+    let faces = Faces::new(&graph);
     let mut kept = vec![0_u8; graph.len()];
     let mut left = Vec::new();
     for (dual, ends) in graph.edges.iter().zip(graph.pairs()) {
@@ -63,14 +62,15 @@ struct Faces {
 }
 
 impl Faces {
-    fn new(points: &PointSet, delaunay: &Delaunay) -> Self {
-        let corners: Vec<[u32; 3]> = delaunay
+    fn new(graph: &DelaunayGraph) -> Self {
+        let corners: Vec<[u32; 3]> = graph
+            .delaunay
             .triangles()
             .map(|corners| corners.map(u32::from))
             .collect();
         let mut clusters = Clusters::new(corners.len());
         let mut shared = Vec::new();
-        for dual in delaunay.edges().filter(|dual| !has_length(points, dual)) {
+        for dual in &graph.inside_circles {
             if let [Some(left), Some(right)] = dual.triangles.map(number) {
                 clusters.join(left, right);
                 shared.extend([left, right]);

@@ -113,9 +113,9 @@ impl<'a> Region<'a> {
         face != NONE && self.is_inside[face as usize]
     }
 
-    fn length(&self, [v, w]: [u32; 2]) -> f64 {
+    fn squared(&self, [v, w]: [u32; 2]) -> f64 {
         let [v, w] = [v, w].map(|v| self.points[PointId::from(v)]);
-        v.distance(w)
+        v.distance_squared(w)
     }
 
     /// Moves a triangle from outside to inside or back.
@@ -149,58 +149,71 @@ impl<'a> Region<'a> {
         self.boundary[v as usize] == 2 || self.is_interior(v)
     }
 
-    /// By how much the boundary grows if a triangle is turned.
-    fn growth(&self, face: u32) -> f64 {
+    /// Turning a triangle, with what the boundary grows by.
+    fn step(&self, face: u32) -> Step {
         let is_inside = self.is_within(face);
-        let grows = |(side, next): ([u32; 2], u32)| {
-            let length = self.length(side);
+        let sides = self.sides(face);
+        let mut grows = sides.map(|(side, next)| {
+            let length = self.squared(side).sqrt();
             if self.is_within(next) == is_inside {
                 length
             } else {
                 -length
             }
-        };
-        self.sides(face).map(grows).iter().sum()
+        });
+        // The sum is the same in whatever order the sides are.
+        grows.sort_unstable_by(f64::total_cmp);
+        let mut squared = sides.map(|(side, _)| self.squared(side));
+        squared.sort_unstable_by(f64::total_cmp);
+        Step {
+            cost: grows.iter().sum(),
+            sides: squared,
+            face,
+        }
     }
 
     /// Moves outside triangles inside, at vertices whose inside triangles are no single fan, until
     /// there is no such vertex: the one first that lengthens the boundary least.
     pub(crate) fn inflate(&mut self) {
         let mut steps = BinaryHeap::new();
-        let irregular = |region: &Self, v: u32| !region.is_regular(v);
         for face in self.faces() {
-            let corners = self.corners[face as usize];
-            if !self.is_within(face) && corners.iter().any(|&v| irregular(self, v)) {
-                steps.push(Step::new(self.growth(face), face));
-            }
+            self.push_outside(&mut steps, face);
         }
         while let Some(step) = steps.pop() {
+            if !self.may_inflate(step.face) {
+                continue;
+            }
+            if self.step(step.face) != step {
+                self.push_outside(&mut steps, step.face);
+                continue;
+            }
             let corners = self.corners[step.face as usize];
-            if self.is_within(step.face) || !corners.iter().any(|&v| irregular(self, v)) {
-                continue;
-            }
-            let growth = self.growth(step.face);
-            if growth.total_cmp(&step.cost).is_ne() {
-                steps.push(Step::new(growth, step.face));
-                continue;
-            }
-            let before = corners.map(|v| irregular(self, v));
+            let was_regular = corners.map(|v| self.is_regular(v));
             self.turn(step.face);
             // Triangles across its sides cost less now; those at a vertex that has become irregular
             // were not waiting.
-            let across = self.sides(step.face).map(|(_, next)| next);
-            let mut changed: Vec<u32> = across.into_iter().filter(|&next| next != NONE).collect();
-            for (v, before) in corners.into_iter().zip(before) {
-                if irregular(self, v) && !before {
-                    changed.extend(self.around.of(v));
+            for (_, next) in self.sides(step.face) {
+                self.push_outside(&mut steps, next);
+            }
+            for (v, was_regular) in corners.into_iter().zip(was_regular) {
+                if was_regular && !self.is_regular(v) {
+                    for &face in self.around.of(v) {
+                        self.push_outside(&mut steps, face);
+                    }
                 }
             }
-            for face in changed {
-                let corners = self.corners[face as usize];
-                if !self.is_within(face) && corners.iter().any(|&v| irregular(self, v)) {
-                    steps.push(Step::new(self.growth(face), face));
-                }
-            }
+        }
+    }
+
+    /// Whether a triangle is outside, at a vertex whose inside triangles are no single fan.
+    fn may_inflate(&self, face: u32) -> bool {
+        let corners = self.corners.get(face as usize);
+        !self.is_within(face) && corners.is_some_and(|c| c.iter().any(|&v| !self.is_regular(v)))
+    }
+
+    fn push_outside(&self, steps: &mut BinaryHeap<Step>, face: u32) {
+        if self.may_inflate(face) {
+            steps.push(self.step(face));
         }
     }
 
@@ -209,29 +222,32 @@ impl<'a> Region<'a> {
     /// lengthens the boundary least. So the boundary stays simple.
     pub(crate) fn sculpt(&mut self) {
         let mut steps = BinaryHeap::new();
-        let push = |region: &Self, steps: &mut BinaryHeap<Step>, face: u32| {
-            if region.is_within(face) && region.is_removable(face) {
-                steps.push(Step::new(region.growth(face), face));
-            }
-        };
         for face in self.faces() {
-            push(self, &mut steps, face);
+            self.push_removable(&mut steps, face);
         }
         while let Some(Step { face, .. }) = steps.pop() {
-            if !self.is_within(face) || !self.is_removable(face) {
+            if !self.is_removable(face) {
                 continue;
             }
             self.turn(face);
             for (_, next) in self.sides(face) {
-                if next != NONE {
-                    push(self, &mut steps, next);
-                }
+                self.push_removable(&mut steps, next);
             }
         }
     }
 
-    /// Whether an inside triangle has one side on the boundary, and its third corner inside.
+    fn push_removable(&self, steps: &mut BinaryHeap<Step>, face: u32) {
+        if self.is_removable(face) {
+            steps.push(self.step(face));
+        }
+    }
+
+    /// Whether a triangle is inside, with one side on the boundary and its third corner in the
+    /// interior.
     fn is_removable(&self, face: u32) -> bool {
+        if !self.is_within(face) {
+            return false;
+        }
         let sides = self.sides(face);
         let mut on_boundary = sides.iter().filter(|(_, next)| !self.is_within(*next));
         let (Some((side, _)), None) = (on_boundary.next(), on_boundary.next()) else {
@@ -259,19 +275,20 @@ fn ascending([v, w]: [u32; 2]) -> [u32; 2] {
 #[derive(Clone, Copy, Debug)]
 struct Step {
     cost: f64,
+    /// The squared lengths of its sides, ascending: costs are sums, in which a difference of short
+    /// sides may be rounded away.
+    sides: [f64; 3],
     face: u32,
-}
-
-impl Step {
-    fn new(cost: f64, face: u32) -> Self {
-        Self { cost, face }
-    }
 }
 
 impl Ord for Step {
     fn cmp(&self, other: &Self) -> Ordering {
         let by_cost = other.cost.total_cmp(&self.cost);
-        by_cost.then_with(|| other.face.cmp(&self.face))
+        let sides = other.sides.iter().zip(&self.sides);
+        let by_sides = sides.map(|(theirs, ours)| theirs.total_cmp(ours));
+        by_sides
+            .fold(by_cost, Ordering::then)
+            .then_with(|| other.face.cmp(&self.face))
     }
 }
 

@@ -12,14 +12,14 @@
 //! O(n log n).
 
 use curvecrust_geometry::{EdgeSet, PointSet};
-use curvecrust_voronoi::Delaunay;
+use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
 use crate::clusters::Clusters;
 use crate::delaunay_edges::is_gabriel_edge;
 use crate::delaunay_graph::DelaunayGraph;
 use crate::region::Region;
-use crate::sphere_of_influence::nearest_distances;
+use crate::sphere_of_influence::{circles_meet, nearest_distances};
 
 /// The edges of SIG-Connect2D: a ring through each component of its graph; the edges of the graph
 /// where all points of a component lie on one line.
@@ -75,20 +75,22 @@ pub fn sig_connect2d(points: &PointSet) -> EdgeSet {
 /// The edges whose circles meet, and Gabriel edges for samples that have less than two.
 fn graph_edges(graph: &DelaunayGraph) -> Vec<[u32; 2]> {
     let radius = nearest_distances(&graph.points);
-    let mut degrees = vec![0_u8; graph.len()];
-    let meet = |[p, q]: [u32; 2]| graph.length(p, q) <= radius[p as usize] + radius[q as usize];
-    let mut edges: Vec<[u32; 2]> = graph.pairs().filter(|&pair| meet(pair)).collect();
-    for end in edges.iter().flatten() {
-        let degree = &mut degrees[*end as usize];
-        *degree = degree.saturating_add(1);
+    let mut degrees = vec![0_u32; graph.len()];
+    let (near, far): (Vec<&DualEdge>, Vec<&DualEdge>) = graph
+        .edges
+        .iter()
+        .partition(|dual| circles_meet(&graph.points, &radius, dual.ends));
+    let mut edges: Vec<[u32; 2]> = near.iter().map(|dual| dual.ends.map(u32::from)).collect();
+    for &end in edges.iter().flatten() {
+        degrees[end as usize] += 1;
     }
-    let further = graph.edges.iter().zip(graph.pairs());
-    for (dual, pair) in further.filter(|&(_, pair)| !meet(pair)) {
+    for dual in far {
+        let pair = dual.ends.map(u32::from);
         let lacks = pair.iter().any(|&v| degrees[v as usize] < 2);
         if lacks && is_gabriel_edge(&graph.points, dual) {
             edges.push(pair);
             for end in pair {
-                degrees[end as usize] = degrees[end as usize].saturating_add(1);
+                degrees[end as usize] += 1;
             }
         }
     }

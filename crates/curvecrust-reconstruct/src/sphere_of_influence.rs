@@ -34,10 +34,13 @@ use crate::neighbours::{HalfRule, neighbours};
 pub fn sphere_of_influence(points: &PointSet) -> EdgeSet {
     let radius = nearest_distances(points);
     filtered(points, |dual| {
-        let [p, q] = dual.ends;
-        let radii = radius[p.index()] + radius[q.index()];
-        points[p].distance(points[q]) <= radii && has_length(points, dual)
+        circles_meet(points, &radius, dual.ends) && has_length(points, dual)
     })
+}
+
+/// Whether the circles around two points meet, given the radii of all.
+pub(crate) fn circles_meet(points: &PointSet, radius: &[f64], [p, q]: [PointId; 2]) -> bool {
+    points[p].distance(points[q]) <= radius[p.index()] + radius[q.index()]
 }
 
 /// The distance of every point to its nearest neighbour; infinite if it is alone.

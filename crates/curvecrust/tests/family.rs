@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use curvecrust::evaluate::EdgeComparison;
-use curvecrust::geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Random};
+use curvecrust::geometry::{DVec2, EdgeSet, PointSet, Random};
 use curvecrust::medial_axis::measure;
 use curvecrust::reconstruct::{
     Alpha, ConservativeRho, alpha_shape, connect2d, conservative_crust, discur, gathan, gathan_g,
@@ -11,6 +11,7 @@ use curvecrust::reconstruct::{
 };
 use curvecrust::sampling::{Condition, SampledCurve, sample_at_dense_points};
 use curvecrust_testing::fixtures;
+use curvecrust_testing::planted::consecutive_edges;
 
 type Algorithm = (&'static str, fn(&PointSet) -> EdgeSet);
 
@@ -87,20 +88,16 @@ fn arc(count: usize, turn: f64, uneven: f64, seed: u64) -> Vec<DVec2> {
     at.collect()
 }
 
-fn consecutive(count: usize, is_closed: bool) -> EdgeSet {
-    let ids: Vec<PointId> = (0..count).filter_map(PointId::new).collect();
-    let closing = is_closed.then(|| [ids[count - 1], ids[0]]);
-    let along = ids.windows(2).map(|pair| [pair[0], pair[1]]);
-    let edges = along.chain(closing).filter_map(|[p, q]| Edge::new(p, q));
-    EdgeSet::new(count, edges)
-}
-
 /// No two points that are not consecutive are as near as consecutive ones.
 #[test]
 fn the_spanning_tree_of_an_open_curve_is_its_path() {
     for seed in 0..20 {
         let points = PointSet::new(arc(60, 0.8, 1.9, seed)).unwrap();
-        assert_eq!(spanning_tree(&points), consecutive(60, false), "{seed}");
+        assert_eq!(
+            spanning_tree(&points),
+            consecutive_edges(60, false),
+            "{seed}"
+        );
     }
 }
 
@@ -108,7 +105,7 @@ fn the_spanning_tree_of_an_open_curve_is_its_path() {
 fn open_arcs_stay_open() {
     for seed in 0..20 {
         let points = PointSet::new(arc(80, 0.75, 1.5, seed)).unwrap();
-        let open = consecutive(80, false);
+        let open = consecutive_edges(80, false);
         let conservative = conservative_crust(&points, ConservativeRho::LEAST);
         assert_eq!(conservative, open, "conservative-crust {seed}");
     }
@@ -120,7 +117,7 @@ fn open_arcs_stay_open() {
 fn evenly_sampled_circles_are_returned() {
     for count in [17, 20, 50, 333] {
         let points = PointSet::new(arc(count, 1.0, 1.0, 0)).unwrap();
-        let ring = consecutive(count, true);
+        let ring = consecutive_edges(count, true);
         assert_eq!(normalised_mesh(&points), ring, "normalised-mesh {count}");
         let own = Alpha::of(&points).unwrap();
         for alpha in [own, Alpha::new(0.2).unwrap(), Alpha::new(0.9).unwrap()] {

@@ -5,7 +5,7 @@ use curvecrust_voronoi::Delaunay;
 
 use super::cost::Cost;
 use super::near::Near;
-use crate::clusters::Clusters;
+use crate::paths::Paths;
 
 /// All vertices once. What must not be is not in it.
 ///
@@ -22,7 +22,7 @@ pub(super) fn tour(points: &PointSet, near: &Near, cost: &Cost<'_>) -> Vec<u32> 
     let edges = inner()
         .flat_map(from)
         .filter(|&[v, w]| v < w && is_inner(w));
-    paths.join(points, edges.collect());
+    join(&mut paths, points, edges.collect());
     loop {
         let ends: Vec<u32> = inner().filter(|&v| paths.is_end(v)).collect();
         let places = ends.iter().map(|&v| points[PointId::from(v)]).collect();
@@ -32,73 +32,47 @@ pub(super) fn tour(points: &PointSet, near: &Near, cost: &Cost<'_>) -> Vec<u32> 
         let edges = delaunay
             .edges()
             .map(|dual| dual.ends.map(|v| ends[v.index()]));
-        if !paths.join(points, edges.collect()) {
+        if !join(&mut paths, points, edges.collect()) {
             break;
         }
     }
     let termini: Vec<u32> = ids().filter(|&v| !is_inner(v)).collect();
-    with_gaps(paths.in_order(inner()), &termini, cost)
+    with_gaps(in_order(&paths, inner()), &termini, cost)
 }
 
-/// Paths through points, by the partners of each point.
-struct Paths {
-    partners: Vec<Vec<u32>>,
-    /// The points of each path.
-    clusters: Clusters,
+/// Takes the edges that join ends of different paths, the shortest first; whether there was one.
+fn join(paths: &mut Paths, points: &PointSet, mut edges: Vec<[u32; 2]>) -> bool {
+    let squared = |&[v, w]: &[u32; 2]| {
+        let [v, w] = [v, w].map(|v| points[PointId::from(v)]);
+        v.distance_squared(w)
+    };
+    for edge in &mut edges {
+        edge.sort_unstable();
+    }
+    edges.sort_unstable_by(|e, f| squared(e).total_cmp(&squared(f)).then(e.cmp(f)));
+    let mut is_any = false;
+    for [v, w] in edges {
+        if paths.is_end(v) && paths.is_end(w) && paths.far_end(v) != w {
+            paths.join(v, w);
+            is_any = true;
+        }
+    }
+    is_any
 }
 
-impl Paths {
-    fn new(count: usize) -> Self {
-        Self {
-            partners: vec![Vec::new(); count],
-            clusters: Clusters::new(count),
+/// The points path by path, each from one end to the other.
+fn in_order(paths: &Paths, points: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut order = Vec::new();
+    let mut is_done = vec![false; paths.len()];
+    for end in points.filter(|&v| paths.is_end(v)) {
+        let mut next = Some(end).filter(|&v| !is_done[v as usize]);
+        while let Some(v) = next {
+            is_done[v as usize] = true;
+            order.push(v);
+            next = paths.partners(v).find(|&w| !is_done[w as usize]);
         }
     }
-
-    fn is_end(&self, v: u32) -> bool {
-        self.partners[v as usize].len() < 2
-    }
-
-    /// Takes the edges that join ends of different paths, the shortest first; whether there was
-    /// one.
-    fn join(&mut self, points: &PointSet, mut edges: Vec<[u32; 2]>) -> bool {
-        let squared = |&[v, w]: &[u32; 2]| {
-            let [v, w] = [v, w].map(|v| points[PointId::from(v)]);
-            v.distance_squared(w)
-        };
-        for edge in &mut edges {
-            edge.sort_unstable();
-        }
-        edges.sort_unstable_by(|e, f| squared(e).total_cmp(&squared(f)).then(e.cmp(f)));
-        let mut is_any = false;
-        for [v, w] in edges {
-            if !self.is_end(v) || !self.is_end(w) {
-                continue;
-            }
-            if self.clusters.join(v, w) {
-                self.partners[v as usize].push(w);
-                self.partners[w as usize].push(v);
-                is_any = true;
-            }
-        }
-        is_any
-    }
-
-    /// The points path by path, each from one end to the other.
-    fn in_order(&self, points: impl Iterator<Item = u32>) -> Vec<u32> {
-        let mut order = Vec::new();
-        let mut is_done = vec![false; self.partners.len()];
-        for end in points.filter(|&v| self.is_end(v)) {
-            let mut next = Some(end).filter(|&v| !is_done[v as usize]);
-            while let Some(v) = next {
-                is_done[v as usize] = true;
-                order.push(v);
-                let mut partners = self.partners[v as usize].iter().copied();
-                next = partners.find(|&w| !is_done[w as usize]);
-            }
-        }
-        order
-    }
+    order
 }
 
 /// Puts gaps and termini into a tour of the other points, such that each curve has two points and

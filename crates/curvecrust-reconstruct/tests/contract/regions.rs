@@ -73,7 +73,19 @@ impl<'a> Region<'a> {
             let length = self.length(&[side.ends()]);
             if is_on { -length } else { length }
         };
-        sides(self.triangles[triangle]).map(grows).iter().sum()
+        let mut grows = sides(self.triangles[triangle]).map(grows);
+        grows.sort_unstable_by(f64::total_cmp);
+        grows.iter().sum()
+    }
+
+    /// The squares of the lengths of its sides, ascending.
+    fn squares(&self, triangle: usize) -> [f64; 3] {
+        let mut squares = sides(self.triangles[triangle]).map(|side| {
+            let [p, q] = side.ends();
+            self.points[p].distance_squared(self.points[q])
+        });
+        squares.sort_unstable_by(f64::total_cmp);
+        squares
     }
 
     fn interior(&self) -> Vec<PointId> {
@@ -86,7 +98,10 @@ impl<'a> Region<'a> {
 
     fn least(&self, wanted: impl Fn(usize) -> bool) -> Option<usize> {
         let candidates = (0..self.triangles.len()).filter(|&i| wanted(i));
-        candidates.min_by(|&i, &j| self.growth(i).total_cmp(&self.growth(j)))
+        candidates.min_by(|&i, &j| {
+            let [a, b] = [i, j].map(|triangle| (self.growth(triangle), self.squares(triangle)));
+            a.partial_cmp(&b).unwrap()
+        })
     }
 
     fn inflate(&mut self) {
