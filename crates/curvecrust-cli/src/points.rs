@@ -31,10 +31,13 @@ mod svg;
 mod system;
 mod table;
 mod text_records;
+#[cfg(any(feature = "las", feature = "npz", feature = "parquet"))]
+mod unpacked;
 mod value;
 #[cfg(feature = "wkb")]
 mod wkb;
 mod wkt;
+mod xml;
 
 pub(crate) use columns::ColumnNames;
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
@@ -164,6 +167,11 @@ pub(crate) fn read_source(
     Ok(list)
 }
 
+/// What notes say of points with more than two numbers.
+pub(crate) const HEIGHTS: &str = "heights are left out";
+/// What notes say of the points of a ring that is closed by its first point.
+pub(crate) const CLOSING: &str = "the last point repeats the first, which stands for both";
+
 impl From<Vec<DVec2>> for PointList {
     fn from(points: Vec<DVec2>) -> Self {
         Self {
@@ -176,7 +184,7 @@ impl From<Vec<DVec2>> for PointList {
 impl PointList {
     /// Points of which some have a height.
     fn with_heights(points: Vec<DVec2>, has_heights: bool) -> Self {
-        let note = has_heights.then(|| String::from("heights are left out"));
+        let note = has_heights.then(|| HEIGHTS.to_owned());
         Self {
             points,
             notes: note.into_iter().collect(),

@@ -101,7 +101,7 @@ impl PointSource {
             Duplicates::Merge => BarePoints::merging(rows),
             Duplicates::MergeWithin(distance) => BarePoints::merging_within(rows, distance),
             Duplicates::Refuse if repeats_its_start(&rows) => {
-                notes.push("the last point repeats the first, which stands for both".to_owned());
+                notes.push(points::CLOSING.to_owned());
                 BarePoints::closing(rows)
             }
             Duplicates::Refuse => BarePoints::distinct(rows),

@@ -3,7 +3,7 @@
 
 use super::system::{DEGREES, System};
 use super::value::in_double_range;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, HEIGHTS, Place, PointList, Problem, Wanted};
 use curvecrust::DVec2;
 
 /// Reference systems that a note names; what has more is no map.
@@ -120,7 +120,7 @@ impl Gathered {
         let mut notes = self.notes;
         notes.extend(system_note(&self.systems));
         if self.has_heights {
-            notes.push("heights are left out".to_owned());
+            notes.push(HEIGHTS.to_owned());
         }
         if self.has_measures {
             notes.push("measures are left out".to_owned());

@@ -2,23 +2,18 @@
 //! as x and latitude as y; the vertices of lines and polygons on request.
 
 use super::gathered::Gathered;
-use super::svg::document;
 use super::system::DEGREES;
 use super::value::coordinate;
+use super::xml::{line_of, with_root};
 use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
 use roxmltree::Node;
 
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
-    let text = str::from_utf8(bytes).map_err(|_| Problem::NotKml)?;
-    let document = document(text)?;
-    let root = document.root_element();
-    if root.tag_name().name() != "kml" {
-        return Err(Problem::NotKml.into());
-    }
+    let document = with_root(bytes, "kml", || Problem::NotKml)?;
     let mut found = Gathered::new(wanted);
     found.note(format!("x is the longitude, y the latitude: {DEGREES}"));
-    for node in root.descendants() {
-        found.go_to(place_of(node));
+    for node in document.root_element().descendants() {
+        found.go_to(line_of(node));
         match node.tag_name().name() {
             "Point" => {
                 for position in positions(node) {
@@ -56,7 +51,7 @@ impl<'a> Position<'a> {
         Self {
             words: whole.split_ascii_whitespace().collect(),
             whole,
-            place: place_of(node),
+            place: line_of(node),
         }
     }
 }
@@ -66,7 +61,7 @@ fn positions<'a>(geometry: Node<'a, 'a>) -> impl Iterator<Item = Position<'a>> {
     let lists = geometry.children();
     let lists = lists.filter(|child| child.tag_name().name() == "coordinates");
     lists.flat_map(|list| {
-        let place = place_of(list);
+        let place = line_of(list);
         let text = list.text().unwrap_or_default();
         text.split_ascii_whitespace().map(move |whole| Position {
             words: whole.split(',').collect(),
@@ -89,9 +84,4 @@ fn take(found: &mut Gathered, position: &Position<'_>) -> Result<[f64; 2], Flaw>
     let height = heights.first().and_then(|word| word.parse::<f64>().ok());
     found.height(height.is_some_and(|height| height.abs() > 0.0));
     Ok([value(x)?, value(y)?])
-}
-
-fn place_of(node: Node<'_, '_>) -> Place {
-    let at = node.document().text_pos_at(node.range().start);
-    Place::Line(at.row.into())
 }

@@ -3,7 +3,7 @@
 use super::Progress;
 use crate::input::name;
 use crate::points::npy::Rows;
-use crate::points::{Flaw, PointsError};
+use crate::points::{CLOSING, Flaw, HEIGHTS, PointsError};
 use curvecrust::DVec2;
 use curvecrust::geometry::Random;
 use curvecrust::tiles::Partition;
@@ -55,9 +55,8 @@ impl Input {
 
     /// What the user should know about how points are read.
     pub(super) fn notes(&self) -> Vec<&'static str> {
-        let heights = self.rows.has_heights().then_some("heights are left out");
-        let closing = (self.count < self.rows.len())
-            .then_some("the last point repeats the first, which stands for both");
+        let heights = self.rows.has_heights().then_some(HEIGHTS);
+        let closing = (self.count < self.rows.len()).then_some(CLOSING);
         heights.into_iter().chain(closing).collect()
     }
 

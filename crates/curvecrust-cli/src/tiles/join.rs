@@ -46,10 +46,13 @@ pub(super) fn join(
     let mut total: u64 = 0;
     for tile in 0..cells.len() {
         let result = folder.result(tile);
-        let (counts, _) = Counts::open(&result, is_wide)?;
+        let (counts, mut reader) = Counts::open(&result, is_wide)?;
         runs.first.push(areas.len());
         runs.samples.push(counts.samples);
-        areas.extend(Rest::read(&result, is_wide)?.runs);
+        // The rest follows behind the runs, and is read when its tile asks.
+        let of_tile: Vec<Area> = records::get(&mut reader, counts.runs)
+            .with_context(|| format!("cannot read {}", result.display()))?;
+        areas.extend(of_tile);
         total += counts.open;
     }
     let atlas = Atlas::new(areas);

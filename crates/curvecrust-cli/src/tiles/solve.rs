@@ -5,9 +5,9 @@ use super::distribute::Chunks;
 use super::plan::Folder;
 use super::records::{self, put, put_words};
 use anyhow::Context;
-use curvecrust::tiles::{Area, Claim, Method, OpenSample, Partition, Samples, solve_tile};
+use curvecrust::tiles::{Claim, Method, OpenSample, Partition, Samples, solve_tile};
 use std::fs::File;
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// Samples of a run: what is read together to answer a question.
@@ -29,9 +29,8 @@ pub(super) struct Counts {
     pub(super) edges: u64,
 }
 
-/// What one tile passes on, but for its edges.
+/// What one tile passes on, but for its runs and edges.
 pub(super) struct Rest {
-    pub(super) runs: Vec<Area>,
     pub(super) claims: Vec<Claim>,
     pub(super) open: Vec<OpenSample>,
 }
@@ -101,7 +100,12 @@ impl Counts {
 
     /// Where the edges start.
     pub(super) fn to_edges(self) -> u64 {
-        8 * HEADER + 32 * self.runs + 16 * self.claims + 80 * self.open
+        self.to_claims() + 16 * self.claims + 80 * self.open
+    }
+
+    /// The bytes before the claims.
+    fn to_claims(self) -> u64 {
+        8 * HEADER + 32 * self.runs
     }
 
     /// Opens a result, and checks that all of it is there.
@@ -144,9 +148,9 @@ impl Rest {
         Self::of(counts, &mut reader).with_context(|| format!("cannot read {}", path.display()))
     }
 
-    fn of(counts: Counts, reader: &mut impl Read) -> io::Result<Self> {
+    fn of(counts: Counts, reader: &mut (impl Read + Seek)) -> io::Result<Self> {
+        reader.seek(SeekFrom::Start(counts.to_claims()))?;
         Ok(Self {
-            runs: records::get(reader, counts.runs)?,
             claims: records::get(reader, counts.claims)?,
             open: records::get(reader, counts.open)?,
         })

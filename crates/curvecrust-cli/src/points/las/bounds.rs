@@ -3,11 +3,8 @@
 use super::packed::{self, Points};
 use super::{Flaw, Problem};
 use crate::input::Seekable;
+use crate::points::unpacked;
 use std::io::{BufReader, Read, Seek, SeekFrom};
-
-/// How many times as much as the file points may unpack to, and how much at least.
-const RATIO: u64 = 64;
-const LEAST: u64 = 64 << 20;
 
 /// Bytes of the header of a record.
 const RECORD: usize = 54;
@@ -74,7 +71,7 @@ pub(super) fn check(source: &mut Seekable) -> Result<Promise, Flaw> {
         }
     }
     let room = match is_packed {
-        true => size.saturating_mul(RATIO).saturating_add(LEAST),
+        true => unpacked::most(size),
         false => size.saturating_sub(start),
     };
     if points.checked_mul(record).is_none_or(|bytes| bytes > room) {

@@ -1,10 +1,7 @@
 //! A reader of what is packed, which gives up when far more comes out than went in.
 
+use crate::points::unpacked;
 use std::io::{self, Read};
-
-/// How many times as much as is packed may come out, and how much at least.
-const RATIO: u64 = 64;
-const LEAST: u64 = 64 << 20;
 
 pub(super) struct Bounded<R> {
     inner: R,
@@ -14,7 +11,7 @@ pub(super) struct Bounded<R> {
 impl<R> Bounded<R> {
     /// Of that many bytes that are packed.
     pub(super) fn new(inner: R, packed: u64) -> Self {
-        let left = packed.saturating_mul(RATIO).saturating_add(LEAST);
+        let left = unpacked::most(packed);
         Self { inner, left }
     }
 }
@@ -23,7 +20,7 @@ impl<R: Read> Read for Bounded<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.inner.read(buffer)?;
         self.left = self.left.checked_sub(count as u64).ok_or_else(|| {
-            let most = format!("{RATIO} times its packed size and 64 MiB");
+            let most = format!("{} times its packed size and 64 MiB", unpacked::RATIO);
             io::Error::other(format!("it unpacks to more than {most}: save it as .npy"))
         })?;
         Ok(count)
@@ -36,7 +33,7 @@ mod tests {
 
     #[test]
     fn no_more_comes_out_than_is_allowed() {
-        let most = RATIO * 10 + LEAST;
+        let most = 64 * 10 + (64 << 20);
         let read = |count: u64| {
             io::copy(
                 &mut Bounded::new(io::repeat(0).take(count), 10),

@@ -2,15 +2,12 @@
 //! more than the size of the file allows: the crate would reserve that much.
 
 use crate::input::Seekable;
+use crate::points::unpacked;
 use bytes::Bytes;
 use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, Length};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
-
-/// How many times as much as the file may come out of a page, and how much at least.
-const RATIO: u64 = 64;
-const LEAST: u64 = 64 << 20;
 
 /// Bytes behind the last page: the length of the metadata, and a magic number.
 const FOOTER: u64 = 8;
@@ -40,7 +37,7 @@ impl Chunks {
 
     /// How much may come out of the file.
     pub(super) fn most(&self) -> u64 {
-        self.size.saturating_mul(RATIO).saturating_add(LEAST)
+        unpacked::most(self.size)
     }
 
     fn from(&self, start: u64) -> Result<Box<dyn Read>> {
@@ -70,7 +67,7 @@ impl ChunkReader for Chunks {
         match unpacked(&head) {
             Some(size) if size <= self.most() => Ok(Box::new(Cursor::new(head).chain(rest))),
             Some(_) => {
-                let most = format!("{RATIO} times the file and 64 MiB");
+                let most = format!("{} times the file and 64 MiB", unpacked::RATIO);
                 let message = format!("a page unpacks to more than {most}");
                 Err(ParquetError::General(message))
             }
