@@ -3,10 +3,11 @@
 use crate::arrays::{self, Arrays, int};
 use crate::curve::Curve;
 use crate::errors::value_error;
-use crate::lfs::{measured_smooth, placed};
+use crate::lfs::Strokes;
 use crate::work::Run;
 use curvecrust::evaluate::{Evaluation, Kind, METRICS, Output, Reference, Truth};
 use curvecrust::geometry::{Edge, PointSet};
+use curvecrust::sampling::PlacedSamples;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,7 +15,7 @@ use pyo3::types::PyDict;
 /// How exactly distances are computed, as a share of the extent.
 const TOLERANCE: f64 = 1e-4;
 
-/// Measures of edges between samples of a smooth curve, and which of them are missing and wrong.
+/// Measures of edges between samples of a curve, and which of them are missing and wrong.
 #[pyfunction]
 pub(crate) fn evaluate<'py>(
     py: Python<'py>,
@@ -28,8 +29,10 @@ pub(crate) fn evaluate<'py>(
     let edges = arrays::edges(&edges, points.len())?;
     let evaluation = Run::plain(py).work(move |_| {
         let points = PointSet::new(points).map_err(value_error)?;
-        let measured = measured_smooth(&split)?;
-        let placed = placed(&measured, points.points(), tolerance)?;
+        let strokes = Strokes::measure(split)?;
+        let (split, measured) = (&strokes.split, strokes.whole()?);
+        let placed = PlacedSamples::project(&measured, points.points(), tolerance);
+        let placed = placed.map_err(value_error)?;
         let extent = split.pieces().extent();
         let truth = Truth {
             curve: &Reference::of_curve(split.pieces(), TOLERANCE * extent),

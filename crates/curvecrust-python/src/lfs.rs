@@ -5,43 +5,50 @@ use crate::curve::Curve;
 use crate::errors::value_error;
 use crate::sample::Asked;
 use crate::work::Run;
-use curvecrust::curve::SplitCurve;
-use curvecrust::medial_axis::{MeasuredCurve, MedialAxis, measure, measure_pieces};
+use curvecrust::curve::{SplitCurve, strands};
+use curvecrust::medial_axis::{
+    MeasuredCurve, MedialAxis, MedialAxisError, measure, measure_pieces, strokes_of,
+};
 use curvecrust::sampling::{
-    Attained, PlacedSamples, Projected, check as check_samples, effective_epsilon, effective_rho,
+    Attained, check as check_samples, effective_epsilon, effective_rho, project_on_pieces,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Dense points of the curve and their lfs.
-fn measured(split: &SplitCurve) -> PyResult<MeasuredCurve> {
-    if split.corners().is_empty() {
-        measure(split.pieces()).map_err(value_error)
+/// Strokes, which are what is left of the curves where they are cut.
+pub(crate) struct Strokes {
+    pub(crate) split: SplitCurve,
+    /// Dense points of the smooth pieces, with their lfs.
+    pub(crate) pieces: MeasuredCurve,
+}
+
+impl Strokes {
+    /// Measures curves; where they touch or cross, what is left of them when they are cut there.
+    pub(crate) fn measure(split: SplitCurve) -> PyResult<Self> {
+        let pieces = match measured(&split) {
+            Err(MedialAxisError::Crossing { .. } | MedialAxisError::Touching { .. }) => {
+                let split = strands(&split).map_err(value_error)?.curve;
+                let pieces = measured(&split).map_err(value_error)?;
+                return Ok(Self { split, pieces });
+            }
+            measured => measured.map_err(value_error)?,
+        };
+        Ok(Self { split, pieces })
+    }
+
+    /// Dense points of the strokes: a corner is one of them.
+    pub(crate) fn whole(&self) -> PyResult<MeasuredCurve> {
+        strokes_of(&self.split, &self.pieces).map_err(value_error)
+    }
+}
+
+fn measured(split: &SplitCurve) -> Result<MeasuredCurve, MedialAxisError> {
+    if split.pieces().components().len() == split.components().len() {
+        measure(split.pieces())
     } else {
-        measure_pieces(split).map_err(value_error)
+        measure_pieces(split)
     }
-}
-
-/// Dense points of a curve without corners.
-pub(crate) fn measured_smooth(split: &SplitCurve) -> PyResult<MeasuredCurve> {
-    match split.corners() {
-        [] => measured(split),
-        [corner, ..] => Err(value_error(format!(
-            "the curve has a corner at ({}, {}), where its local feature size is 0: this is for \
-             smooth curves",
-            corner.at.x, corner.at.y
-        ))),
-    }
-}
-
-/// The samples in the order of the curve.
-pub(crate) fn placed(
-    measured: &MeasuredCurve,
-    points: &[curvecrust::DVec2],
-    tolerance: f64,
-) -> PyResult<Projected> {
-    PlacedSamples::project(measured, points, tolerance).map_err(value_error)
 }
 
 /// Dense points of a curve and the lfs of each.
@@ -49,7 +56,7 @@ pub(crate) fn placed(
 pub(crate) fn lfs<'py>(py: Python<'py>, curve: &Bound<'py, Curve>) -> PyResult<Bound<'py, PyDict>> {
     let split = curve.get().split.clone();
     let run = Run::plain(py);
-    let measured = run.work(move |_| measured(&split))?;
+    let measured = run.work(move |_| Ok(Strokes::measure(split)?.pieces))?;
     Arrays::new(py)
         .with_rows(
             "points",
@@ -59,7 +66,7 @@ pub(crate) fn lfs<'py>(py: Python<'py>, curve: &Bound<'py, Curve>) -> PyResult<B
         .map(Arrays::finish)
 }
 
-/// The pieces of the medial axis of a smooth curve, with the radius of the disc at both ends.
+/// The pieces of the medial axis, with the radius of the disc at both ends.
 #[pyfunction]
 pub(crate) fn medial_axis<'py>(
     py: Python<'py>,
@@ -67,7 +74,7 @@ pub(crate) fn medial_axis<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let split = curve.get().split.clone();
     let (points, edges) = Run::plain(py).work(move |_| {
-        let measured = measured_smooth(&split)?;
+        let measured = Strokes::measure(split)?.whole()?;
         let axis = MedialAxis::new(measured.dense()).map_err(value_error)?;
         Ok((
             measured.dense().points().to_vec(),
@@ -102,11 +109,11 @@ pub(crate) fn check<'py>(
         Some(asked.condition()?)
     };
     let (placed, epsilon, rho, verdict) = Run::plain(py).work(move |_| {
-        let measured = measured_smooth(&split)?;
-        let placed = placed(&measured, &points, tolerance)?;
-        let epsilon = effective_epsilon(&measured, &placed.samples);
-        let rho = effective_rho(&measured, &placed.samples);
-        let verdict = condition.map(|c| check_samples(&measured, &placed.samples, c));
+        let Strokes { split, pieces } = Strokes::measure(split)?;
+        let placed = project_on_pieces(&split, &pieces, &points, tolerance).map_err(value_error)?;
+        let epsilon = effective_epsilon(&placed.measured, &placed.samples);
+        let rho = effective_rho(&placed.measured, &placed.samples);
+        let verdict = condition.map(|c| check_samples(&placed.measured, &placed.samples, c));
         Ok((placed, epsilon, rho, verdict))
     })?;
     let bounds = |found: &Attained| (found.bound, found.at_most);

@@ -4,12 +4,14 @@ use crate::arrays::{Arrays, int};
 use crate::curve::Curve;
 use crate::errors::value_error;
 use crate::work::{Progressed, Run};
-use curvecrust::curve::SplitCurve;
+use curvecrust::DVec2;
+use curvecrust::curve::{SplitCurve, strands};
 use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::MedialAxisError;
+use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError,
-    VerifyOptions, sample_curve_with, sample_decoded_with, sample_fewest_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError, SplitOptions,
+    VerifyOptions, on_strokes, sample_curve_with, sample_decoded_with, sample_fewest_with,
     sample_verified_with,
 };
 use pyo3::prelude::*;
@@ -100,7 +102,8 @@ pub(crate) fn sample<'py>(
         .map(Arrays::finish)
 }
 
-/// Samples of all strokes together, or of each by itself where they touch, as was asked.
+/// Samples of all strokes together; where they touch, of what is left of them when they are cut
+/// there, or of each by itself, as was asked.
 fn chosen(
     split: SplitCurve,
     condition: Condition,
@@ -108,20 +111,49 @@ fn chosen(
     progress: &Progressed,
 ) -> PyResult<Sampled> {
     let count = one_of("count", &asked.count, &["greedy", "fewest", "verified"])?;
-    let strokes = one_of("strokes", &asked.strokes, &["auto", "together", "apart"])?;
+    let names = &["auto", "together", "cut", "apart"];
+    let strokes = one_of("strokes", &asked.strokes, names)?;
     let report = |done, total| progress.report(done, total);
     let progress = Progress::new(&report);
-    if strokes != "apart" {
+    if matches!(strokes, "auto" | "together") {
         let together = if split.corners().is_empty() {
             smooth(&split, condition, count, progress)
         } else {
-            decoded(&split, condition, count, progress)?
+            decoded(&split, condition, count, progress)
         };
         if strokes == "together" || !together.as_ref().is_err_and(is_touching) {
             return together.map_err(value_error);
         }
     }
-    decoded(&split.apart(), condition, count, progress)?.map_err(value_error)
+    if strokes != "apart" {
+        let cut = cut(&split, condition, count, progress);
+        if strokes == "cut" || cut.is_ok() {
+            return cut;
+        }
+    }
+    if count == "verified" {
+        let message = "strokes apart cannot be sampled with count='verified'";
+        return Err(value_error(message));
+    }
+    decoded(&split.apart(), condition, count, progress).map_err(value_error)
+}
+
+/// Samples of strokes that are cut where they touch.
+fn cut(
+    split: &SplitCurve,
+    condition: Condition,
+    count: &str,
+    progress: Progress<'_>,
+) -> PyResult<Sampled> {
+    let cut = strands(split).map_err(value_error)?;
+    let sampled = decoded(&cut.curve, condition, count, progress).map_err(value_error)?;
+    Ok(match cut.places[..] {
+        [] => sampled,
+        _ => Sampled {
+            strokes: "cut",
+            ..sampled
+        },
+    })
 }
 
 /// The argument, if it is one of the names.
@@ -150,25 +182,51 @@ fn decoded(
     condition: Condition,
     count: &str,
     progress: Progress<'_>,
-) -> PyResult<Result<Sampled, SamplingError>> {
-    if count != "greedy" {
-        let message = "curves with corners, and strokes apart, need count='greedy'";
-        return Err(value_error(message));
-    }
-    let options = DecodeOptions {
-        sampling: SampleOptions { progress },
-        ..DecodeOptions::default()
+) -> Result<Sampled, SamplingError> {
+    let decoder: &dyn Reconstructor = match count {
+        "verified" => &HnnCrust::MUTUAL,
+        _ => &LeastDetour,
     };
-    let found = sample_decoded_with(split, condition, &options);
-    Ok(found.map(|decoded| Sampled {
-        sampling: decoded.sampling,
-        is_decoded: Some(decoded.is_exact),
+    let options = DecodeOptions {
+        decoder,
+        sampling: SplitOptions {
+            every_start: count != "greedy",
+            progress,
+        },
+    };
+    let mut found = sample_decoded_with(split, condition, &options)?;
+    if count == "verified" {
+        let corners: Vec<DVec2> = split.corners().iter().map(|corner| corner.at).collect();
+        let start = on_strokes(split, &found.sampling)?;
+        found.sampling = verified(&start, condition, &corners, progress)?;
+    }
+    Ok(Sampled {
+        sampling: found.sampling,
+        is_decoded: Some(found.is_exact),
         strokes: if split.is_apart() {
             "apart"
         } else {
             "together"
         },
-    }))
+    })
+}
+
+/// As few samples as HNN-Crust still returns, with those at some places.
+fn verified(
+    start: &Sampling,
+    condition: Condition,
+    fixed: &[DVec2],
+    progress: Progress<'_>,
+) -> Result<Sampling, SamplingError> {
+    let default = VerifyOptions::default();
+    let limit = condition.hausdorff_limit();
+    let options = VerifyOptions {
+        deviation: limit.map_or(default.deviation, DeviationLimit::Length),
+        fixed,
+        progress,
+        ..default
+    };
+    sample_verified_with(start, &options)
 }
 
 /// Samples of curves without corners.
@@ -182,16 +240,7 @@ fn smooth(
     let greedy = sample_curve_with(split.pieces(), condition, &options)?;
     let sampling = match count {
         "fewest" => sample_fewest_with(&greedy.measured, condition, &options)?,
-        "verified" => {
-            let default = VerifyOptions::default();
-            let limit = condition.hausdorff_limit();
-            let options = VerifyOptions {
-                deviation: limit.map_or(default.deviation, DeviationLimit::Length),
-                progress,
-                ..default
-            };
-            sample_verified_with(&greedy, &options)?
-        }
+        "verified" => verified(&greedy, condition, &[], progress)?,
         _ => greedy,
     };
     Ok(Sampled {

@@ -8,6 +8,8 @@ import curvecrust
 
 CIRCLE = curvecrust.Curve.from_path("M 1 0 A 1 1 0 0 1 -1 0 A 1 1 0 0 1 1 0 Z")
 TRIANGLE = curvecrust.Curve.from_path("M 0 0 H 4 V 4 Z")
+SQUARE = curvecrust.Curve.from_path("M 0 0 H 4 V 4 H 0 Z")
+PLUS = curvecrust.Curve.from_path("M 0 1 H 2 M 1 0 V 2")
 
 
 def test_curves_come_from_drawings_and_from_points():
@@ -39,9 +41,9 @@ def test_curves_come_from_drawings_and_from_points():
         (lambda: curvecrust.sample(CIRCLE, rho=2), "rho"),
         (lambda: curvecrust.sample(CIRCLE, rho=0.5, epsilon=0.5), "either rho or epsilon"),
         (lambda: curvecrust.sample(CIRCLE, rho=0.5, count="most"), "'most'"),
-        (lambda: curvecrust.sample(TRIANGLE, rho=0.5, count="fewest"), "corners"),
+        (lambda: curvecrust.sample(TRIANGLE, rho=0.5, count="verified"), "hnn-crust"),
+        (lambda: curvecrust.sample(PLUS, strokes="apart", count="verified"), "verified"),
         (lambda: curvecrust.sample(CIRCLE, rho=1e-9), "samples"),
-        (lambda: curvecrust.medial_axis(TRIANGLE), "corner"),
         (lambda: curvecrust.check(CIRCLE, [(9, 9)]), "."),
         (lambda: curvecrust.evaluate(CIRCLE, [(1, 0), (-1, 0)], [(0, 2)]), "edge 0"),
     ],
@@ -73,14 +75,36 @@ def test_corners_are_sampled_until_they_are_found_again():
     assert found.edges.tolist() == samples.edges.tolist()
 
 
-def test_strokes_that_touch_are_sampled_one_by_one():
-    plus = curvecrust.Curve.from_path("M 0 1 H 2 M 1 0 V 2")
-    samples = curvecrust.sample(plus)
-    assert (samples.strokes, samples.is_decoded, len(samples)) == ("apart", True, 4)
+def test_corners_are_looked_at_by_every_function():
+    samples = curvecrust.sample(SQUARE, rho=0.5)
+    found = curvecrust.check(SQUARE, samples, rho=0.5)
+    assert found.holds
+    assert len(found.order) == len(samples) + 4
+    corners = [samples.points.tolist().index(corner) for corner in SQUARE.corners.tolist()]
+    missed = np.delete(samples.points, corners[0], axis=0)
+    assert not curvecrust.check(SQUARE, missed, rho=0.5).holds
+    assert curvecrust.evaluate(SQUARE, samples, samples.edges).metrics["exact"] == 1
+    axis = curvecrust.medial_axis(SQUARE)
+    # Its branches run along the diagonals.
+    assert np.abs(np.abs(axis.ends[:, 0] - 2) - np.abs(axis.ends[:, 1] - 2)).max() < 0.1
+    counts = [len(curvecrust.sample(SQUARE, rho=0.5, count=c)) for c in ("greedy", "fewest")]
+    assert counts[0] == counts[1] == len(samples)
+    verified = curvecrust.sample(SQUARE, rho=0.5, count="verified")
+    assert sorted(verified.points.tolist()) == sorted(SQUARE.corners.tolist())
+
+
+def test_strokes_that_touch_are_cut_or_sampled_one_by_one():
+    samples = curvecrust.sample(PLUS)
+    assert (samples.strokes, samples.is_decoded, samples.closed.size) == ("cut", True, 3)
+    assert [1, 1] in samples.points.tolist()
+    assert curvecrust.check(PLUS, samples, rho=0.9).holds
+    assert curvecrust.evaluate(PLUS, samples, samples.edges).metrics["exact"] == 1
+    apart = curvecrust.sample(PLUS, strokes="apart")
+    assert (apart.strokes, apart.is_decoded, len(apart)) == ("apart", True, 4)
     with pytest.raises(ValueError, match="touches"):
-        curvecrust.sample(plus, strokes="together")
-    with pytest.raises(ValueError, match="'auto', 'together', 'apart'"):
-        curvecrust.sample(plus, strokes="none")
+        curvecrust.sample(PLUS, strokes="together")
+    with pytest.raises(ValueError, match="'auto', 'together', 'cut', 'apart'"):
+        curvecrust.sample(PLUS, strokes="none")
     assert curvecrust.sample(CIRCLE).strokes == "together"
     assert curvecrust.sample(CIRCLE, strokes="apart").strokes == "apart"
 

@@ -13,9 +13,9 @@ use curvecrust_reconstruct::{LeastDetour, Reconstructor};
 
 use crate::condition::Condition;
 use crate::error::SamplingError;
-use crate::pieces::sample_split_with;
+use crate::pieces::{SplitOptions, sample_split_with};
 use crate::sampled_curve::SampledCurve;
-use crate::sampling::{SampleOptions, Sampling};
+use crate::sampling::Sampling;
 
 /// What the bound is multiplied by, as long as the samples are not returned.
 const TIGHTER: f64 = 0.64;
@@ -48,14 +48,14 @@ pub struct DecodeOptions<'a> {
     /// The algorithm that has to return the manifold boundary; least detour by default.
     pub decoder: &'a dyn Reconstructor,
     /// Those of each sampling.
-    pub sampling: SampleOptions<'a>,
+    pub sampling: SplitOptions<'a>,
 }
 
 impl Default for DecodeOptions<'_> {
     fn default() -> Self {
         Self {
             decoder: &LeastDetour,
-            sampling: SampleOptions::default(),
+            sampling: SplitOptions::default(),
         }
     }
 }

@@ -46,11 +46,13 @@ pub mod error;
 pub mod fewest;
 
 pub mod noise;
+pub mod on_pieces;
 pub mod pieces;
 pub mod placed;
 pub mod sampled_curve;
 pub mod sampling;
 mod slack;
+pub mod strokes;
 pub mod theory;
 pub mod uneven;
 pub mod verified;
@@ -63,10 +65,12 @@ pub use dense_points::{sample_as_published, sample_at_dense_points};
 pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::{sample_fewest, sample_fewest_with};
 pub use noise::{Noise, NoiseShape, NoiseSize, Outliers, with_noise, with_outliers};
-pub use pieces::{sample_split, sample_split_with};
+pub use on_pieces::{OnPieces, project_on_pieces};
+pub use pieces::{SplitOptions, sample_split, sample_split_with};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledCurve};
 pub use sampling::{SampleOptions, Sampling};
+pub use strokes::on_strokes;
 pub use uneven::{UnevenOptions, sample_unevenly, sample_unevenly_with, sample_uniformly};
 pub use verified::{VerifyOptions, sample_verified, sample_verified_with};
 

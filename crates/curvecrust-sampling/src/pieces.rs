@@ -13,6 +13,7 @@
 //!   evenly, and none is left over close to the corner.
 
 use curvecrust_curve::SplitCurve;
+use curvecrust_geometry::Progress;
 use curvecrust_medial_axis::{MeasurePiecesOptions, MeasuredCurve, measure_pieces_with};
 
 use crate::arcs::Arcs;
@@ -22,7 +23,26 @@ use crate::condition::Condition;
 use crate::error::SamplingError;
 use crate::fewest;
 use crate::sampled_curve::{ClosingInterval, SampledCurve};
-use crate::sampling::{SampleOptions, Sampling};
+use crate::sampling::Sampling;
+
+/// Options of [`sample_split_with`].
+#[derive(Clone, Copy, Debug)]
+pub struct SplitOptions<'a> {
+    /// Whether a component without a corner begins at the best of all starts, as by default, or at
+    /// its first dense point.
+    pub every_start: bool,
+    /// Hears how many dense points are done, of how many.
+    pub progress: Progress<'a>,
+}
+
+impl Default for SplitOptions<'_> {
+    fn default() -> Self {
+        Self {
+            every_start: true,
+            progress: Progress::default(),
+        }
+    }
+}
 
 /// Distances from a corner below this ratio are the same: dense points allow no better.
 const ALIKE: f64 = 1.02;
@@ -54,10 +74,10 @@ const HALVINGS: usize = 8;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sample_split(split: &SplitCurve, condition: Condition) -> Result<Sampling, SamplingError> {
-    sample_split_with(split, condition, &SampleOptions::default())
+    sample_split_with(split, condition, &SplitOptions::default())
 }
 
-/// [`sample_split`] by the given [options](SampleOptions). The progress is that of
+/// [`sample_split`] by the given [options](SplitOptions). The progress is that of
 /// [`measure_pieces_with`], once for every discretisation that is tried.
 ///
 /// # Errors
@@ -65,10 +85,13 @@ pub fn sample_split(split: &SplitCurve, condition: Condition) -> Result<Sampling
 pub fn sample_split_with(
     split: &SplitCurve,
     condition: Condition,
-    options: &SampleOptions<'_>,
+    options: &SplitOptions<'_>,
 ) -> Result<Sampling, SamplingError> {
+    let &SplitOptions {
+        every_start,
+        progress,
+    } = options;
     let measured = |gap_to_lfs| {
-        let progress = options.progress;
         let options = MeasurePiecesOptions {
             gap_to_lfs,
             progress,
@@ -76,7 +99,7 @@ pub fn sample_split_with(
         measure_pieces_with(split, &options)
     };
     let of_pieces = as_finely_as_needed(condition, measured, |measured| {
-        sample_pieces(split, measured, condition)
+        sample_pieces(split, measured, condition, every_start)
     })?;
     Ok(joined(split, of_pieces))
 }
@@ -86,6 +109,7 @@ fn sample_pieces(
     split: &SplitCurve,
     measured: &MeasuredCurve,
     condition: Condition,
+    every_start: bool,
 ) -> Result<Sampling, SamplingError> {
     let all = Arcs::of(measured);
     let mut piece = 0..;
@@ -96,8 +120,10 @@ fn sample_pieces(
             .is_some_and(|piece| split.meetings(piece) != [None; 2]);
         if is_cut {
             even(arcs, condition)
-        } else {
+        } else if every_start {
             fewest::positions(arcs, condition, &|_| ())
+        } else {
+            walk(arcs, condition, 0)
         }
     })?;
     let places = first.samples.components().iter().zip(&all);

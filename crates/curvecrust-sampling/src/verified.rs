@@ -16,7 +16,7 @@ mod chain;
 mod oracle;
 mod search;
 
-use curvecrust_geometry::Progress;
+use curvecrust_geometry::{DVec2, Progress};
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
 use crate::arcs::Arcs;
@@ -43,6 +43,8 @@ pub struct VerifyOptions<'a> {
     pub rounds: usize,
     /// Where the random numbers begin: the same seed gives the same samples. 1 by default.
     pub seed: u64,
+    /// Places that stay samples where they are samples, such as corners; none by default.
+    pub fixed: &'a [DVec2],
     /// Hears how many rounds are done, of how many.
     pub progress: Progress<'a>,
 }
@@ -54,6 +56,7 @@ impl Default for VerifyOptions<'_> {
             deviation: DeviationLimit::OfLfs(1.0),
             rounds: 300,
             seed: 1,
+            fixed: &[],
             progress: Progress::default(),
         }
     }
@@ -102,6 +105,7 @@ pub fn sample_verified_with(
         deviation,
         rounds,
         seed,
+        fixed,
         progress,
     } = *options;
     let measured = &start.measured;
@@ -111,7 +115,7 @@ pub fn sample_verified_with(
         return Err(SamplingError::NotReconstructed { algorithm: name });
     }
     let arcs = Arcs::of(measured);
-    let chains = Chains::new(measured, &placed);
+    let chains = Chains::new(measured, &placed, fixed);
     if let Some((component, dense)) = chains.beyond(&arcs, deviation) {
         return Err(SamplingError::LimitExceeded { component, dense });
     }

@@ -1,7 +1,5 @@
 //! `curvecrust check`: how good samples are, and whether a condition holds.
 
-mod corners;
-
 use super::bare_points::{BarePoints, PointSource};
 use super::condition::{Requirement, name_and_bound};
 use super::curve_source::{CurveSource, MeasuredStrokes};
@@ -10,9 +8,11 @@ use crate::args::{self, Distance};
 use crate::console::Console;
 use crate::output::{self, Number};
 use anyhow::Context;
-use corners::OnPieces;
 use curvecrust::curve::SplitCurve;
-use curvecrust::sampling::{Attained, Condition, Verdict, check, effective_epsilon, effective_rho};
+use curvecrust::sampling::{
+    Attained, Condition, OnPieces, Verdict, check, effective_epsilon, effective_rho,
+    project_on_pieces,
+};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -72,7 +72,8 @@ impl Job {
         let strokes = self.curve.measure_strokes(split, asked, console)?;
         let (split, condition) = (&strokes.split, strokes.condition);
         let tolerance = self.tolerance.of_extent(split.pieces().extent());
-        let placed = corners::place(&strokes, bare.points.points(), tolerance)
+        let points = bare.points.points();
+        let placed = project_on_pieces(split, &strokes.pieces, points, tolerance)
             .with_context(|| self.points.name())?;
         if let Some(first) = placed.missed.first() {
             console.note(format_args!(

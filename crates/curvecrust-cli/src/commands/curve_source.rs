@@ -14,12 +14,16 @@ use curvecrust::medial_axis::{
     measure_pieces_with, measure_with, strokes_of,
 };
 use curvecrust::sampling::{Condition, SamplingError};
+use std::cell::OnceCell;
 use std::path::PathBuf;
 
 /// The largest gap between dense points, as a share of lfs.
 const GAP: f64 = 0.02;
 /// The same, as a share of the bound of a condition.
 const GAP_TO_BOUND: f64 = 0.05;
+
+/// Elements that a message names.
+const MOST_ELEMENTS: usize = 2;
 
 /// A document with curves.
 #[derive(Debug)]
@@ -31,6 +35,8 @@ pub(super) struct CurveSource {
     snap: f64,
     /// `None`: as finely as the lfs and the condition ask for.
     discretisation: Option<Discretisation>,
+    /// What was read, by which messages name elements.
+    drawing: OnceCell<Drawing>,
 }
 
 /// Curves, and the local feature size along them.
@@ -69,6 +75,7 @@ impl CurveSource {
             corners: strokes.corners,
             snap: strokes.snap,
             discretisation: None,
+            drawing: OnceCell::new(),
         }
     }
 
@@ -85,8 +92,9 @@ impl CurveSource {
     /// Reads curves, split at their corners unless those are refused, and tells of joined gaps.
     pub(super) fn read(&self, console: &Console) -> anyhow::Result<SplitCurve> {
         let drawing = self.drawing(console)?;
+        let drawing = self.drawing.get_or_init(|| drawing);
         if self.corners == Corners::Refuse {
-            let smooth = Curve::from_drawing(&drawing).map_err(|error| {
+            let smooth = Curve::from_drawing(drawing).map_err(|error| {
                 if has_only_corners(&error) {
                     anyhow!("{error}: pass --corners split")
                 } else {
@@ -95,7 +103,7 @@ impl CurveSource {
             });
             return Ok(smooth.with_context(|| self.name())?.into());
         }
-        let split = SplitCurve::from_drawing(&drawing, self.snap).with_context(|| self.name())?;
+        let split = SplitCurve::from_drawing(drawing, self.snap).with_context(|| self.name())?;
         self.tell_of_joined_gaps(&split, console);
         Ok(split)
     }
@@ -124,7 +132,7 @@ impl CurveSource {
 
     /// Cuts strokes where they touch or cross, and tells of it.
     pub(super) fn cut(&self, split: &SplitCurve) -> anyhow::Result<Strands> {
-        strands(split).with_context(|| self.name())
+        strands(split).map_err(|error| self.named(error))
     }
 
     /// Tells where strokes were cut.
@@ -136,19 +144,44 @@ impl CurveSource {
             1 => String::from("in 1 place,"),
             count => format!("in {count} places, first"),
         };
+        let elements = self.elements_at(*first);
+        let elements = elements.map_or(String::new(), |elements| format!(" on {elements}"));
         let left_out = match cut.left_out.len() {
             0 => String::new(),
             1 => String::from("; 1 stroke that is shorter is left out"),
             count => format!("; {count} strokes that are shorter are left out"),
         };
         console.note(format_args!(
-            "{}: strokes touch or cross {places} at ({}, {}): one runs through, others end {} \
+            "{}: strokes touch or cross {places} at ({}, {}){elements}: one runs through, others end {} \
              short{left_out}",
             self.name(),
             Number(first.x),
             Number(first.y),
             Number(cut.gap),
         ));
+    }
+
+    /// The elements that pass a place, for messages; `None` if there is none.
+    fn elements_at(&self, place: DVec2) -> Option<String> {
+        let elements = self.drawing.get()?.elements_at(place);
+        let shown = elements.iter().take(MOST_ELEMENTS);
+        let shown: Vec<String> = shown.map(ToString::to_string).collect();
+        match elements.len().saturating_sub(MOST_ELEMENTS) {
+            0 if shown.is_empty() => None,
+            0 => Some(shown.join(" and ")),
+            more => Some(format!("{} and {more} more", shown.join(", "))),
+        }
+    }
+
+    /// An error with the name of the document, and the elements that are at fault if strokes touch.
+    pub(super) fn named(&self, error: impl Into<anyhow::Error>) -> anyhow::Error {
+        let error = error.into();
+        let elements = touching(&error).and_then(|place| self.elements_at(place));
+        let error = match elements {
+            Some(elements) => error.context(elements),
+            None => error,
+        };
+        error.context(self.name())
     }
 
     /// Reads what is drawn, and tells of what draws nothing.
@@ -201,7 +234,7 @@ impl CurveSource {
             };
             measure_with(curve, &options)
         });
-        measured.with_context(|| self.name())
+        measured.map_err(|error| self.named(error))
     }
 
     /// Measures the local feature size of strokes that may have corners; where they touch, of what
@@ -266,7 +299,7 @@ impl CurveSource {
             };
             measure_pieces_with(split, &options)
         });
-        measured.with_context(|| self.name())
+        measured.map_err(|error| self.named(error))
     }
 }
 

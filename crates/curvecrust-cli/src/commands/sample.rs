@@ -18,8 +18,9 @@ use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, VerifyOptions, decode,
-    sample, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
+    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError, SplitOptions,
+    VerifyOptions, decode, on_strokes, sample, sample_curve_with, sample_decoded_with,
+    sample_fewest_with, sample_verified_with,
 };
 
 /// The formats of samples, the one of stdout first.
@@ -31,6 +32,10 @@ const FORMATS: &[Format] = &[
     Format::Wkt,
     Format::Wkb,
     Format::Gpx,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
     Format::Dxf,
     Format::Svg,
     Format::Npy,
@@ -147,7 +152,7 @@ impl Job {
 
     /// Whether no option is given that pieces cannot be sampled with.
     fn takes_pieces(&self) -> bool {
-        self.curve.discretisation().is_none() && self.count == Count::Fewest
+        self.curve.discretisation().is_none()
     }
 
     /// Samples of every smooth piece, put together; what attains the bound is a piece. It tells
@@ -158,30 +163,41 @@ impl Job {
         touch: Option<DVec2>,
         console: &Console,
     ) -> anyhow::Result<(Curve, Sampled)> {
+        let name = self.curve.name();
         if !self.takes_pieces() {
             bail!(
-                "{}: curves with corners, and strokes apart, cannot be sampled with --gap, \
-                 --per-segment or --count",
-                self.curve.name()
+                "{name}: curves with corners, and strokes apart, cannot be sampled with --gap or \
+                 --per-segment"
             );
         }
+        if split.is_apart() && self.count == Count::Verified {
+            bail!("{name}: strokes apart cannot be sampled with --count verified");
+        }
         let condition = self.requirement.on(split.pieces())?;
-        let decoder = self.decoder.unwrap_or(&LeastDetour);
+        let decoder = self.decoder();
         let decoded = console.during("sampling", |progress| {
             let options = DecodeOptions {
-                sampling: SampleOptions {
+                sampling: SplitOptions {
+                    every_start: self.count != Count::Greedy,
                     progress: Progress::new(progress),
                 },
                 decoder,
             };
             sample_decoded_with(split, condition, &options)
         });
-        let decoded = decoded.with_context(|| self.curve.name())?;
+        let mut decoded = decoded.map_err(|error| self.curve.named(error))?;
+        if self.count == Count::Verified {
+            let start = on_strokes(split, &decoded.sampling).with_context(|| name.clone())?;
+            let corners: Vec<DVec2> = split.corners().iter().map(|corner| corner.at).collect();
+            let fewer = verified(&start, condition, decoder, &corners, console);
+            decoded.sampling = fewer.with_context(|| name.clone())?;
+            decoded.added = 0;
+        }
         if let Some(DVec2 { x, y }) = touch {
             console.note(format_args!(
                 "{}: strokes touch or cross near ({}, {}), so each is sampled as if it were alone; \
                  no reconstruction of all together is promised",
-                self.curve.name(),
+                name,
                 Number(x),
                 Number(y)
             ));
@@ -221,8 +237,8 @@ impl Job {
         let measured = (self.curve.discretisation().is_some())
             .then(|| self.curve.measure(&curve, None, console))
             .transpose()?;
-        let sampling = chosen(&curve, measured, condition, self.count, console);
-        let sampling = sampling.with_context(|| self.curve.name())?;
+        let sampling = self.chosen(&curve, measured, condition, console);
+        let sampling = sampling.map_err(|error| self.curve.named(error))?;
         let is_by_theorem = Guaranteed::is_by_theorem(&curve, condition);
         let sampled = if is_by_theorem && self.decoder.is_none() && self.count != Count::Verified {
             Sampled {
@@ -241,13 +257,47 @@ impl Job {
         Ok((curve, sampled))
     }
 
+    /// The samples that were asked for among all that satisfy the condition.
+    fn chosen(
+        &self,
+        curve: &Curve,
+        measured: Option<MeasuredCurve>,
+        condition: Condition,
+        console: &Console,
+    ) -> anyhow::Result<Sampling> {
+        let greedy = match measured {
+            Some(measured) => sample(&measured, condition)?,
+            None => console.during("sampling", |progress| {
+                let progress = Progress::new(progress);
+                sample_curve_with(curve, condition, &SampleOptions { progress })
+            })?,
+        };
+        match self.count {
+            Count::Greedy => Ok(greedy),
+            Count::Fewest => Ok(console.during("sampling from every start", |progress| {
+                let progress = Progress::new(progress);
+                sample_fewest_with(&greedy.measured, condition, &SampleOptions { progress })
+            })?),
+            Count::Verified => {
+                let fewer = verified(&greedy, condition, self.decoder(), &[], console);
+                Ok(fewer?)
+            }
+        }
+    }
+
+    /// The algorithm that is run: the one asked for, else least detour, but HNN-Crust where it runs
+    /// for every sample that may go.
+    fn decoder(&self) -> Algorithm {
+        self.decoder.unwrap_or(match self.count {
+            Count::Verified => &HnnCrust::MUTUAL,
+            Count::Fewest | Count::Greedy => &LeastDetour,
+        })
+    }
+
     /// Samples with more of them near the edges that an algorithm gets wrong; as they are, if they
     /// are to be as few as a verified sampling has.
     fn decoded(&self, condition: Condition, sampling: Sampling) -> Sampled {
-        let decoder = self.decoder.unwrap_or(match self.count {
-            Count::Verified => &HnnCrust::MUTUAL,
-            _ => &LeastDetour,
-        });
+        let decoder = self.decoder();
         let decoded = decode(sampling, decoder);
         let (decoder, added) = (decoder.info().name, decoded.added);
         let found = found(decoder, decoded.is_exact, added, "their polygon");
@@ -291,36 +341,24 @@ struct Sampled {
     ending: String,
 }
 
-/// The samples that were asked for among all that satisfy the condition.
-fn chosen(
-    curve: &Curve,
-    measured: Option<MeasuredCurve>,
+/// As few samples as an algorithm still returns, with those at some places.
+fn verified(
+    start: &Sampling,
     condition: Condition,
-    count: Count,
+    algorithm: Algorithm,
+    fixed: &[DVec2],
     console: &Console,
-) -> anyhow::Result<Sampling> {
-    let greedy = match measured {
-        Some(measured) => sample(&measured, condition)?,
-        None => console.during("sampling", |progress| {
-            let progress = Progress::new(progress);
-            sample_curve_with(curve, condition, &SampleOptions { progress })
-        })?,
-    };
-    match count {
-        Count::Greedy => Ok(greedy),
-        Count::Fewest => Ok(console.during("sampling from every start", |progress| {
-            let progress = Progress::new(progress);
-            sample_fewest_with(&greedy.measured, condition, &SampleOptions { progress })
-        })?),
-        Count::Verified => Ok(console.during("taking samples away", |progress| {
-            let default = VerifyOptions::default();
-            let limit = condition.hausdorff_limit();
-            let options = VerifyOptions {
-                deviation: limit.map_or(default.deviation, DeviationLimit::Length),
-                progress: Progress::new(progress),
-                ..default
-            };
-            sample_verified_with(&greedy, &options)
-        })?),
-    }
+) -> Result<Sampling, SamplingError> {
+    console.during("taking samples away", |progress| {
+        let default = VerifyOptions::default();
+        let limit = condition.hausdorff_limit();
+        let options = VerifyOptions {
+            algorithm,
+            deviation: limit.map_or(default.deviation, DeviationLimit::Length),
+            fixed,
+            progress: Progress::new(progress),
+            ..default
+        };
+        sample_verified_with(start, &options)
+    })
 }

@@ -12,10 +12,62 @@ fn count(list: &Value) -> usize {
 }
 
 #[test]
+fn corners_are_sampled_at_every_count() {
+    let folder = Folder::with(
+        "square.svg",
+        path("M0 0H4V4H0Z M6 0A1 1 0 1 0 8 0A1 1 0 1 0 6 0Z"),
+    );
+    let run = |count: &str| {
+        let line = format!("sample square.svg --rho 0.5 --json --count {count}");
+        json(&folder.run(&line).fine())
+    };
+    let [fewest, greedy, verified] = ["fewest", "greedy", "verified"].map(run);
+    for (found, decoder) in [
+        (&fewest, "least-detour"),
+        (&greedy, "least-detour"),
+        (&verified, "hnn-crust"),
+    ] {
+        assert_eq!(found["guaranteed"], "running");
+        assert_eq!(found["decoder"], decoder);
+        assert_eq!(count(&found["components"]), 2);
+        let samples = found["samples"].as_array().unwrap();
+        for corner in [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]] {
+            assert!(samples.contains(&serde_json::json!(corner)), "{found}");
+        }
+    }
+    let [fewest, greedy, verified] =
+        [fewest, greedy, verified].map(|found| count(&found["samples"]));
+    assert!(
+        verified < fewest && fewest <= greedy,
+        "{verified}, {fewest}, {greedy}"
+    );
+    // The samples of the verified one come back.
+    folder
+        .run("sample square.svg --rho 0.5 --count verified -o samples.csv")
+        .fine();
+    folder
+        .run("evaluate square.svg samples.csv --algorithm hnn-crust")
+        .fine();
+}
+
+#[test]
+fn sharp_corners_are_beyond_hnn_crust() {
+    let folder = Folder::with("thorn.svg", path("M0 0H4L0 1Z"));
+    let error = folder
+        .run("sample thorn.svg --rho 0.5 --count verified")
+        .error();
+    assert!(error.contains("hnn-crust does not return"), "{error}");
+    let line = "sample thorn.svg --rho 0.5 --count verified --decoder least-detour --json";
+    let found = json(&folder.run(line).fine());
+    assert_eq!(found["guaranteed"], "running");
+}
+
+#[test]
 fn strokes_that_touch_are_cut() {
     let folder = Folder::with("plus.svg", path("M0 1H2M1 0V2"));
     let run = folder.run("sample plus.svg --rho 0.9 --json");
-    let says = "plus.svg: strokes touch or cross in 1 place, at (1, 1): one runs through, others";
+    let says = "plus.svg: strokes touch or cross in 1 place, at (1, 1) on <path> in line 1: one runs through, \
+                others";
     assert!(run.stderr.contains(says), "{}", run.stderr);
     let found = json(&run.fine());
     assert_eq!(found["strokes"], "cut");

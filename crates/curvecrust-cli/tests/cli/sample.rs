@@ -158,12 +158,14 @@ fn places_without_a_local_feature_size_are_named() {
     let folder = Folder::with("crossing.svg", two(2.8));
     folder.write("touching.svg", two(4.0));
     // At (2.4, 1.083...) or (2.4, 2.916...), which of the two is not said.
-    let crossing = "error: crossing.svg: components ";
-    let touching = "error: touching.svg: near (3, 2) the curve touches itself or another";
+    let crossing = "error: crossing.svg: <path> in line 2 and <circle> in line 2: \
+                    components ";
+    let touching = "error: touching.svg: <path> in line 2 and <circle> in line 2: near (3, 2) the \
+                    curve touches itself or another";
     for (line, says) in [
         ("crossing.svg --strokes together", crossing),
         ("crossing.svg --corners refuse", crossing),
-        ("crossing.svg --count greedy", crossing),
+        ("crossing.svg --gap 0.05", crossing),
         ("touching.svg --strokes together", touching),
     ] {
         let error = folder.run(&format!("sample {line} --rho 0.9")).error();

@@ -1,16 +1,24 @@
 //! What a document draws, and which element draws what.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 
+use curvecrust_geometry::Segment;
+use glam::DVec2;
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::css::Sheets;
 use super::layout::{Drawn, Layout};
 use super::selection::Selection;
 use super::{SVG, bounds, style, walk};
+use crate::bezier::{CubicBezier, bounds as bezier_bounds};
 use crate::bezier_path::BezierPath;
 use crate::error::CurveError;
+
+/// How near a place is to a stroke that passes it, as a share of the extent of all.
+const AT: f64 = 1e-3;
+/// The chords of a segment, which are nearer to it than a tenth of that.
+const CHORDS: u32 = 64;
 
 /// The strokes of a document, in the order of drawing and not yet checked for smoothness.
 ///
@@ -116,6 +124,33 @@ impl Drawing {
         self.elements.get(*self.drawn_by.get(component)?)
     }
 
+    /// The elements whose strokes pass a place, within a thousandth of the extent of all, in the
+    /// order of drawing.
+    ///
+    /// ```
+    /// use curvecrust_curve::svg::Drawing;
+    /// use glam::dvec2;
+    ///
+    /// let svg = "<svg xmlns='http://www.w3.org/2000/svg'>
+    ///     <circle id='c' r='2'/><path id='p' d='M 1 0 H 9'/></svg>";
+    /// let drawing = Drawing::new(svg)?;
+    /// assert_eq!(drawing.elements_at(dvec2(2.0, 0.0)).len(), 2);
+    /// assert_eq!(drawing.elements_at(dvec2(0.0, 2.0)).len(), 1);
+    /// # Ok::<(), curvecrust_curve::CurveError>(())
+    /// ```
+    #[must_use]
+    pub fn elements_at(&self, place: DVec2) -> Vec<&ElementName> {
+        let (low, high) = bezier_bounds(self.components.iter().flat_map(BezierPath::segments));
+        let tolerance = AT * (high - low).max_element();
+        let components = self.components.iter().zip(&self.drawn_by);
+        let here = components.filter(|(path, _)| {
+            let mut segments = path.segments().iter();
+            segments.any(|segment| passes(segment, place, tolerance))
+        });
+        let here: BTreeSet<usize> = here.map(|(_, &element)| element).collect();
+        here.iter().map(|&index| &self.elements[index]).collect()
+    }
+
     /// The elements with subpaths of a single point, which draw nothing and are left out; each as
     /// often as it is used.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &ElementName> {
@@ -132,6 +167,17 @@ impl Drawing {
             None => error,
         }
     }
+}
+
+/// Whether a segment passes a place within a distance, by its chords.
+fn passes(segment: &CubicBezier, place: DVec2, tolerance: f64) -> bool {
+    let (low, high) = segment.bounding_box();
+    let outside = (low - place).max(place - high);
+    outside.max_element() <= tolerance
+        && (0..CHORDS).any(|i| {
+            let end = |i: u32| segment.point(f64::from(i) / f64::from(CHORDS));
+            Segment::new(end(i), end(i + 1)).distance(place) <= tolerance
+        })
 }
 
 /// What messages call an element of a document.

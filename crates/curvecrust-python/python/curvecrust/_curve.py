@@ -121,7 +121,8 @@ class Samples:
     """For curves with corners, whether least detour returns exactly these edges; of strokes that
     are apart, those of each from its own samples. None for smooth curves."""
     strokes: str
-    """How components were sampled: "together", or "apart", each as if it were alone."""
+    """How components were sampled: "together"; "cut" where they touch or cross, so that components
+    are what is left of them; or "apart", each as if it were alone."""
 
     def __len__(self) -> int:
         return len(self.points)
@@ -160,10 +161,13 @@ def sample(
     count : {"greedy", "fewest", "verified"}
         "greedy" takes the next sample as late as the condition allows; "fewest" has the fewest of
         all samples at dense points that satisfy it; "verified" takes away more, as long as
-        HNN-Crust returns the polygon.
-    strokes : {"auto", "together", "apart"}
-        "together" refuses curves that touch or cross each other; "apart" samples each as if it were
-        alone, and promises no reconstruction of all together; "auto" does so where they touch.
+        HNN-Crust returns the polygon, which it does not where a corner is sharp. Corners are
+        samples; between two of them "greedy" and "fewest" are the same.
+    strokes : {"auto", "together", "cut", "apart"}
+        "together" refuses curves that touch or cross. "cut" cuts them there: one runs through the
+        place, which is a sample, the others end a hundredth of the extent short of it. "apart"
+        samples each as if it were alone, and promises no reconstruction of all together. "auto"
+        does the first of these that goes.
     threads, progress
         As for `reconstruct`.
 
@@ -198,7 +202,7 @@ class Check:
     certain: bool | None
     """Whether it is certain to hold everywhere."""
     order: Ints
-    """The rows of the samples in the order of the curve."""
+    """The rows of the samples in the order of the curve; that of one at a corner is there twice."""
     between: Ints
     """For each violation the rows of the samples around it, -1 where there is none."""
     at: Floats
@@ -216,12 +220,15 @@ def check(
     max_distance: float | None = None,
     tolerance: float = 1e-3,
 ) -> Check:
-    """Measure how good samples of a smooth curve are.
+    """Measure how good samples of a curve are.
+
+    At a corner the local feature size is 0, so that nothing holds beside one that is no sample.
+    Beside one that is, it is that of the smooth pieces. Strokes that touch are cut, as by `sample`.
 
     Parameters
     ----------
     curve : Curve
-        A curve without corners.
+        Curves with or without corners.
     samples : array_like of shape (n, 2)
         Points on the curve, in any order.
     rho, epsilon, max_distance
@@ -274,7 +281,10 @@ class MedialAxis:
 
 
 def medial_axis(curve: Curve) -> MedialAxis:
-    """Compute the medial axis of a smooth curve, from the Voronoi diagram of dense points."""
+    """Compute the medial axis of a curve, from the Voronoi diagram of dense points.
+
+    Into every corner goes a branch. Strokes that touch are cut, as by `sample`.
+    """
     return MedialAxis(**_curvecrust.medial_axis(_curve(curve)))
 
 

@@ -26,6 +26,8 @@ pub(crate) type Place = (usize, usize);
 #[derive(Clone, Debug)]
 pub(crate) struct Chains<'a> {
     points: &'a [DVec2],
+    /// Dense points that stay samples, ascending.
+    fixed: Vec<usize>,
     pub(crate) chains: Vec<Chain>,
 }
 
@@ -62,7 +64,12 @@ impl Chain {
 }
 
 impl<'a> Chains<'a> {
-    pub(crate) fn new(measured: &'a MeasuredCurve, placed: &PlacedSamples) -> Self {
+    /// The samples, of which those at the given places stay.
+    pub(crate) fn new(
+        measured: &'a MeasuredCurve,
+        placed: &PlacedSamples,
+        fixed: &[DVec2],
+    ) -> Self {
         let components = measured.dense().components().iter();
         let chain = |(component, samples): (&Component, Range<usize>)| Chain {
             samples: placed.placements()[samples]
@@ -72,8 +79,15 @@ impl<'a> Chains<'a> {
             component: component.clone(),
         };
         let ranges = placed.components().iter().cloned();
+        let fixed = placed
+            .placements()
+            .iter()
+            .filter(|p| fixed.contains(&p.point));
+        let mut fixed: Vec<usize> = fixed.map(|p| p.dense).collect();
+        fixed.sort_unstable();
         Self {
             points: measured.dense().points(),
+            fixed,
             chains: components.zip(ranges).map(chain).collect(),
         }
     }
@@ -91,11 +105,20 @@ impl<'a> Chains<'a> {
             }
         };
         let chains = chains.iter().map(chain).collect();
-        Self { points, chains }
+        Self {
+            points,
+            fixed: Vec::new(),
+            chains,
+        }
     }
 
     pub(crate) fn len(&self) -> usize {
         self.chains.iter().map(|chain| chain.samples.len()).sum()
+    }
+
+    /// Whether a dense point stays a sample.
+    pub(crate) fn is_fixed(&self, dense: usize) -> bool {
+        self.fixed.binary_search(&dense).is_ok()
     }
 
     pub(crate) fn point(&self, dense: usize) -> DVec2 {

@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
     }
 
     /// The sample before `count` in a row, and the number of dense points from it to the one after
-    /// them; `None` where an open end is in the way.
+    /// them; `None` where an open end or a sample that stays is in the way.
     fn room(&self, chain: usize, at: usize, count: usize) -> Option<(usize, usize)> {
         let this = &self.chains.chains[chain];
         let len = this.samples.len();
@@ -93,6 +93,10 @@ impl<'a> Search<'a> {
             return None;
         }
         let last = this.order().after(at, count - 1);
+        let mut row = (0..count).map(|steps| this.samples[this.order().after(at, steps)]);
+        if row.any(|sample| self.chains.is_fixed(sample)) {
+            return None;
+        }
         let (before, after) = (this.neighbours(at)[0]?, this.neighbours(last)[1]?);
         Some((before, this.between(before, after)))
     }
