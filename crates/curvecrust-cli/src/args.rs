@@ -8,7 +8,7 @@ mod values;
 pub(crate) use fit::Fit;
 pub(crate) use known::Known;
 pub(crate) use tiles::Tiles;
-pub(crate) use values::{Algorithm, Corners, Count, Distance, Strokes};
+pub(crate) use values::{Algorithm, Corners, Count, Distance, Keep, Strokes};
 
 use crate::format::Format;
 use clap::builder::ArgPredicate;
@@ -75,7 +75,7 @@ pub(crate) struct Sample {
     pub(crate) strokes: Strokes,
     /// Add samples near wrong edges until this algorithm returns the curves [default: least-detour,
     /// where no theorem says that hnn-crust does]
-    #[arg(long, value_name = "ALGORITHM", value_parser = algorithm(), conflicts_with = "count")]
+    #[arg(long, value_name = "ALGORITHM", value_parser = algorithm())]
     pub(crate) decoder: Option<Algorithm>,
     #[command(flatten)]
     pub(crate) output: Output,
@@ -108,6 +108,9 @@ pub(crate) struct Reconstruct {
     pub(crate) algorithm: Algorithm,
     #[command(flatten)]
     pub(crate) known: Known,
+    /// Carry this along to the result: z, the heights of the points
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) keep: Option<Keep>,
     #[command(flatten)]
     pub(crate) tiles: Tiles,
     #[command(flatten)]

@@ -2,7 +2,11 @@
 
 mod atomic;
 mod dxf;
+#[cfg(feature = "flatgeobuf")]
+mod flatgeobuf;
 mod geojson;
+#[cfg(feature = "parquet")]
+mod geoparquet;
 mod gpx;
 pub(crate) mod npy;
 mod shape;
@@ -11,10 +15,11 @@ mod wkb;
 mod wkt;
 
 pub(crate) use crate::number::Number;
-pub(crate) use shape::{Feature, Places, Shape, Streamed};
+pub(crate) use shape::{Attribute, Attributes, Feature, Kind, Places, Position, Shape, Streamed};
 pub(crate) use svg::{Layer, Path, Picture};
 
 use crate::format::{self, Format};
+use crate::points::System;
 use crate::{args, input};
 use anyhow::bail;
 use atomic::Target;
@@ -102,7 +107,7 @@ impl Output {
     /// Writes everything, or nothing.
     pub(crate) fn write(
         &self,
-        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+        content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         match &self.target {
             Some(target) => target.write(content),
@@ -110,19 +115,40 @@ impl Output {
         }
     }
 
-    /// Writes shapes in a format that knows nothing but geometry.
-    pub(crate) fn write_features<'a, P: Serialize>(
+    /// Writes shapes, with the reference system of their coordinates, in a format of geometries.
+    pub(crate) fn write_features<'a, P: Attributes + Serialize>(
         &self,
         features: impl Iterator<Item = Feature<'a, P>>,
+        system: Option<&System>,
     ) -> anyhow::Result<()> {
         self.write(|out| match self.format {
-            Format::Geojson => geojson::write(out, features),
+            Format::Geojson => geojson::write(out, features, system),
             Format::Wkt => wkt::write(out, features),
-            Format::Wkb => wkb::write(out, features),
+            Format::Wkb => wkb::write(out, features, system),
+            #[cfg(feature = "flatgeobuf")]
+            Format::Flatgeobuf => flatgeobuf::write(out, features, system),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => geoparquet::write(out, features, system),
             Format::Gpx => gpx::write(out, features),
             Format::Dxf => dxf::write(out, features),
             other => Err(unsupported(other)),
         })
+    }
+
+    /// What the user should know of a reference system that the format has a place for, but not in
+    /// the terms that the points' file has.
+    pub(crate) fn leaves_out(&self, system: Option<&System>) -> Option<String> {
+        let system = system?;
+        let wants = match self.format {
+            Format::Wkb | Format::Geojson if system.epsg().is_none() => "a code of EPSG",
+            #[cfg(feature = "parquet")]
+            Format::Parquet if !geoparquet::names(system) => "PROJJSON",
+            _ => return None,
+        };
+        let (format, name) = (self.format.name(), system.name());
+        Some(format!(
+            "the reference system {name} is left out: {format} takes it as {wants} alone"
+        ))
     }
 
     /// Writes one JSON object.
@@ -138,9 +164,9 @@ pub(crate) fn print_json(object: &impl Serialize) -> anyhow::Result<()> {
 
 /// Prints to stdout.
 pub(crate) fn to_stdout(
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> anyhow::Result<()> {
-    atomic::buffered(io::stdout().lock(), content)
+    atomic::buffered(io::stdout(), content)
         .map_err(|error| anyhow::Error::new(error).context("cannot write to stdout"))
 }
 

@@ -9,6 +9,7 @@ mod flaw;
 mod gathered;
 mod geojson;
 mod gpx;
+mod heights;
 mod json;
 mod json_text;
 mod kml;
@@ -41,10 +42,13 @@ mod xml;
 
 pub(crate) use columns::ColumnNames;
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
+pub(crate) use heights::LEFT_OUT as HEIGHTS;
+pub(crate) use system::System;
 
 use crate::format::Format;
 use crate::input::{self, Source};
 use curvecrust::DVec2;
+use heights::Heights;
 use quote::quoted;
 use separator::Separator;
 use std::path::Path;
@@ -83,6 +87,10 @@ pub(crate) const FORMATS: &[Format] = &[
 pub(crate) struct PointList {
     /// The points, finite and of magnitudes that a point set can hold; some may be equal.
     pub(crate) points: Vec<DVec2>,
+    /// The height of every point, if heights were wanted.
+    pub(crate) heights: Option<Vec<f64>>,
+    /// The reference system of the coordinates, if the file names exactly one.
+    pub(crate) system: Option<System>,
     /// What the user should know about how they were read.
     pub(crate) notes: Vec<String>,
 }
@@ -94,6 +102,8 @@ pub(crate) struct Wanted {
     pub(crate) columns: Option<ColumnNames>,
     /// Whether vertices of lines and polygons are points.
     pub(crate) vertices: bool,
+    /// Whether heights are kept, which every point must have then.
+    pub(crate) heights: bool,
 }
 
 /// Reads points, of which there must be at least one.
@@ -134,20 +144,20 @@ pub(crate) fn read_source(
         return Err(Problem::NoTable(format).into());
     }
     let list = match format {
-        Format::Csv => table::read(source, Separator::Byte(b','), names),
-        Format::Text => table::read(source, Separator::WhiteSpace, names),
-        Format::Npy => npy::read(source.into_reader()),
+        Format::Csv => table::read(source, Separator::Byte(b','), wanted),
+        Format::Text => table::read(source, Separator::WhiteSpace, wanted),
+        Format::Npy => npy::read(source.into_reader(), wanted),
         Format::Json => json::read(&source.into_bytes()?, wanted),
         Format::Geojson => geojson::read(&source.into_bytes()?, wanted),
         Format::Wkt => wkt::read(&source.into_bytes()?, wanted),
         Format::Gpx => gpx::read(&source.into_bytes()?, wanted),
         Format::Kml => kml::read(&source.into_bytes()?, wanted),
-        Format::Obj => obj::read(&source.into_bytes()?),
+        Format::Obj => obj::read(&source.into_bytes()?, wanted),
         Format::Svg => svg::read(&source.into_bytes()?),
         #[cfg(feature = "npz")]
-        Format::Npz => npz::read(source.into_seekable()?, names),
+        Format::Npz => npz::read(source.into_seekable()?, wanted),
         #[cfg(feature = "ply")]
-        Format::Ply => ply::read(source.into_reader(), names),
+        Format::Ply => ply::read(source.into_reader(), wanted),
         #[cfg(feature = "wkb")]
         Format::Wkb => wkb::read(&source.into_bytes()?, wanted),
         #[cfg(feature = "shapefile")]
@@ -161,14 +171,15 @@ pub(crate) fn read_source(
         other if other.is_of_feature() => Err(Problem::LeftOut(other).into()),
         other => Err(Problem::Unreadable(other).into()),
     }?;
+    if wanted.heights && list.heights.is_none() {
+        return Err(Problem::NoHeight.into());
+    }
     if list.points.is_empty() {
         return Err(Problem::NoPoints.into());
     }
     Ok(list)
 }
 
-/// What notes say of points with more than two numbers.
-pub(crate) const HEIGHTS: &str = "heights are left out";
 /// What notes say of the points of a ring that is closed by its first point.
 pub(crate) const CLOSING: &str = "the last point repeats the first, which stands for both";
 
@@ -176,17 +187,19 @@ impl From<Vec<DVec2>> for PointList {
     fn from(points: Vec<DVec2>) -> Self {
         Self {
             points,
-            notes: Vec::new(),
+            ..Self::default()
         }
     }
 }
 
 impl PointList {
-    /// Points of which some have a height.
-    fn with_heights(points: Vec<DVec2>, has_heights: bool) -> Self {
-        let note = has_heights.then(|| HEIGHTS.to_owned());
+    /// Points with what is known of their heights.
+    fn new(points: Vec<DVec2>, heights: Heights) -> Self {
+        let (heights, note) = heights.finish();
         Self {
             points,
+            heights,
+            system: None,
             notes: note.into_iter().collect(),
         }
     }

@@ -13,7 +13,7 @@ pub(crate) struct Tiles {
         value_name = "FOLDER",
         conflicts_with_all = [
             "json", "closed", "open", "curves", "terminus", "merge_duplicates", "merge_within",
-            "x", "vertices",
+            "x", "vertices", "keep",
         ]
     )]
     pub(crate) tiles: Option<PathBuf>,

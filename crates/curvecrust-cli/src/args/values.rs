@@ -42,6 +42,13 @@ pub(crate) enum Strokes {
     Apart,
 }
 
+/// What is carried along with points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Keep {
+    /// Heights; every point must have one
+    Z,
+}
+
 /// A length, or a share of the extent of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Distance {

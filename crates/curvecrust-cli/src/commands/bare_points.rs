@@ -3,11 +3,12 @@
 use crate::console::Console;
 use crate::format::Format;
 use crate::number::Number;
-use crate::points::{self, ColumnNames, Wanted};
+use crate::points::{self, ColumnNames, System, Wanted};
 use crate::{args, args::Distance, input};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::geometry::{MergedPoints, PointId, PointSet, PointSetError};
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// A file of points, and how it is read.
@@ -36,6 +37,10 @@ pub(crate) enum Duplicates {
 pub(crate) struct BarePoints {
     /// The distinct points.
     pub(crate) points: PointSet,
+    /// The height of every row, if heights are kept.
+    heights: Option<Vec<f64>>,
+    /// The reference system of the coordinates, if the file names one.
+    pub(crate) system: Option<System>,
     /// What was merged; `None` if nothing was.
     merged: Option<Merged>,
 }
@@ -77,9 +82,16 @@ impl PointSource {
             wanted: Wanted {
                 columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
                 vertices,
+                heights: false,
             },
             duplicates,
         }
+    }
+
+    /// The same with the heights of the points, all of which must have one.
+    pub(crate) fn with_heights(mut self) -> Self {
+        self.wanted.heights = true;
+        self
     }
 
     /// How messages name it.
@@ -95,6 +107,8 @@ impl PointSource {
         })?;
         let points::PointList {
             points: rows,
+            heights,
+            system,
             mut notes,
         } = list;
         let bare = match self.duplicates {
@@ -106,7 +120,8 @@ impl PointSource {
             }
             Duplicates::Refuse => BarePoints::distinct(rows),
         };
-        let bare = bare.with_context(|| name.clone())?;
+        let mut bare = bare.with_context(|| name.clone())?;
+        (bare.heights, bare.system) = (heights, system);
         for note in &notes {
             console.note(format_args!("{name}: {note}"));
         }
@@ -144,6 +159,8 @@ impl BarePoints {
         });
         Self {
             points: found.points,
+            heights: None,
+            system: None,
             merged,
         }
     }
@@ -159,6 +176,8 @@ impl BarePoints {
         };
         Ok(Self {
             points,
+            heights: None,
+            system: None,
             merged: Some(merged),
         })
     }
@@ -167,6 +186,8 @@ impl BarePoints {
         match PointSet::new(rows) {
             Ok(points) => Ok(Self {
                 points,
+                heights: None,
+                system: None,
                 merged: None,
             }),
             Err(PointSetError::Duplicate {
@@ -208,6 +229,29 @@ impl BarePoints {
             None => Some(PointId::from(row)).filter(|id| id.index() < count),
         };
         point.ok_or_else(missing)
+    }
+
+    /// The height of every row, if heights are kept.
+    pub(crate) fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
+    }
+
+    /// The height of a point: that of its row, if heights are kept.
+    pub(crate) fn height(&self, point: PointId) -> Option<f64> {
+        let heights = self.heights.as_ref()?;
+        heights.get(self.row(point) as usize).copied()
+    }
+
+    /// The heights of all points, if heights are kept.
+    pub(crate) fn point_heights(&self) -> Option<Cow<'_, [f64]>> {
+        let heights = self.heights.as_ref()?;
+        Some(match &self.merged {
+            None => Cow::Borrowed(heights),
+            Some(merged) => {
+                let rows = merged.row_of.iter();
+                rows.map(|&row| heights[row as usize]).collect()
+            }
+        })
     }
 
     /// The coordinates of every row.

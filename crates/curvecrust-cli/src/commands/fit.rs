@@ -20,6 +20,10 @@ const FORMATS: &[Format] = &[
     Format::Wkt,
     Format::Wkb,
     Format::Gpx,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
     Format::Dxf,
     Format::Svg,
 ];
@@ -67,6 +71,10 @@ impl Job {
             fitted: &fitted,
         };
         console.during("writing", |_| self.write(&found))?;
+        let output = self.results.output.as_ref();
+        if let Some(note) = output.and_then(|output| output.leaves_out(bare.system.as_ref())) {
+            console.note(note);
+        }
         console.note(Summary(&found));
         Ok(Outcome::Fine)
     }
@@ -96,7 +104,8 @@ impl Job {
                 if format == Format::Csv {
                     output.write(|out| lines.write_csv(out))
                 } else {
-                    output.write_features(lines.features(&lines.rings()))
+                    let system = found.bare.system.as_ref();
+                    output.write_features(lines.features(&lines.rings()), system)
                 }
             }
         }

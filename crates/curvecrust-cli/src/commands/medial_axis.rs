@@ -5,7 +5,9 @@ use super::curve_source::CurveSource;
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Feature, Layer, Number, Output, Picture, Results, Shape};
+use crate::output::{
+    Attribute, Attributes, Feature, Kind, Layer, Number, Output, Picture, Results, Shape,
+};
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::MedialAxis;
@@ -20,6 +22,10 @@ const FORMATS: &[Format] = &[
     Format::Wkt,
     Format::Wkb,
     Format::Gpx,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
     Format::Dxf,
     Format::Svg,
 ];
@@ -33,6 +39,14 @@ struct Object {
 /// The properties of the axis in GeoJSON: none.
 #[derive(Serialize)]
 struct Nothing {}
+
+impl Attributes for Nothing {
+    const COLUMNS: &'static [(&'static str, Kind)] = &[];
+
+    fn values(&self) -> Vec<Attribute> {
+        Vec::new()
+    }
+}
 
 /// Which curves are measured, and where the axis goes.
 #[derive(Debug)]
@@ -74,7 +88,7 @@ fn write(output: &Output, curve: &Curve, segments: &[Segment]) -> anyhow::Result
         _ => {
             let shape = Shape::Segments(segments);
             let properties = Nothing {};
-            output.write_features(std::iter::once(Feature { shape, properties }))
+            output.write_features(std::iter::once(Feature { shape, properties }), None)
         }
     }
 }

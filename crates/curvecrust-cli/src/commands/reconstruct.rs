@@ -9,10 +9,11 @@ mod why;
 
 use super::Outcome;
 use super::bare_points::{BarePoints, PointSource};
-use crate::args::{self, Algorithm};
+use crate::args::{self, Algorithm, Keep};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results, npy};
+use anyhow::bail;
 use curvecrust::geometry::{EdgeSet, PointSet};
 use curvecrust::reconstruct::{
     Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor,
@@ -29,6 +30,10 @@ const FORMATS: &[Format] = &[
     Format::Wkt,
     Format::Wkb,
     Format::Gpx,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
     Format::Dxf,
     Format::Svg,
     Format::Npy,
@@ -45,9 +50,18 @@ pub(crate) struct Job {
 
 impl Job {
     pub(crate) fn new(args: args::Reconstruct) -> anyhow::Result<Self> {
+        let results = Results::new(args.output, args.json, FORMATS)?;
+        let mut points = PointSource::from(args.points);
+        if args.keep == Some(Keep::Z) {
+            let flat = [Format::Svg, Format::Npy];
+            if let Some(format) = flat.into_iter().find(|&format| results.writes(format)) {
+                bail!("{} holds no heights: leave out --keep", format.name());
+            }
+            points = points.with_heights();
+        }
         Ok(Self {
-            results: Results::new(args.output, args.json, FORMATS)?,
-            points: args.points.into(),
+            results,
+            points,
             algorithm: args.algorithm,
             known: args.known,
         })
@@ -69,6 +83,10 @@ impl Job {
         let summary = Summary::new(&bare, &edges, &known.termini);
         let hints = hints::hints(&bare, &edges);
         console.during("writing", |_| self.write(&bare, &known, edges, why))?;
+        let output = self.results.output.as_ref();
+        if let Some(note) = output.and_then(|output| output.leaves_out(bare.system.as_ref())) {
+            console.note(note);
+        }
         console.note(summary);
         for hint in hints {
             console.note(hint);
@@ -157,6 +175,10 @@ fn write_curves(output: &Output, found: &Found<'_>) -> anyhow::Result<()> {
             output.write(|out| Picture { layers }.write(out))
         }
         Format::Npy => Ok(()),
-        _ => output.write_features(found.features(&found.rings())),
+        _ => {
+            let (rings, heights) = (found.rings(), found.bare.point_heights());
+            let features = found.features(&rings, heights.as_deref());
+            output.write_features(features, found.bare.system.as_ref())
+        }
     }
 }

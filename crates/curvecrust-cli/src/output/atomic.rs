@@ -88,7 +88,7 @@ impl Target {
     /// Writes to a temporary file beside the target and renames it: nobody ever sees half a file.
     pub(super) fn write(
         &self,
-        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+        content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
     ) -> anyhow::Result<()> {
         let written = match &self.kind {
             Kind::Device => File::create(&self.file).and_then(|file| buffered(file, content)),
@@ -104,7 +104,7 @@ impl Target {
     fn replace(
         &self,
         replaced: Option<&Metadata>,
-        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+        content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
     ) -> io::Result<()> {
         let (file, temporary) = create_until_interrupted(folder(&self.file))?;
         let written = buffered(&file, content).and_then(|()| match replaced {
@@ -127,8 +127,8 @@ impl Target {
 /// Writes through a buffer, and reports whether everything was taken. A reader that closes its end
 /// of a pipe has had enough: what is left is not written, and that is no error.
 pub(super) fn buffered(
-    out: impl Write,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    out: impl Write + Send,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
     match content(&mut out).and_then(|()| out.flush()) {

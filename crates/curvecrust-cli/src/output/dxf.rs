@@ -3,7 +3,7 @@
 //! Rings are closed polylines and chains open ones, on layers named after their kind. Each item is
 //! a line with the code of a group and a line with its value.
 
-use super::{Feature, Number, Places, Shape};
+use super::{Feature, Number, Places, Position, Shape};
 use curvecrust::DVec2;
 use std::io::{self, Write};
 
@@ -25,7 +25,7 @@ pub(super) fn write<'a, P>(
             }
             Shape::Line(line) => polyline(out, "chains", &line, false)?,
             Shape::Points(points) => {
-                for p in points.iter() {
+                for p in points.positions() {
                     write!(out, "0\nPOINT\n8\npoints\n")?;
                     place(out, 10, p)?;
                 }
@@ -33,8 +33,8 @@ pub(super) fn write<'a, P>(
             Shape::Segments(segments) => {
                 for segment in segments {
                     write!(out, "0\nLINE\n8\nlines\n")?;
-                    place(out, 10, segment.a)?;
-                    place(out, 11, segment.b)?;
+                    place(out, 10, segment.a.into())?;
+                    place(out, 11, segment.b.into())?;
                 }
             }
         }
@@ -43,21 +43,24 @@ pub(super) fn write<'a, P>(
 }
 
 fn polyline(out: &mut dyn Write, layer: &str, points: &Places<'_>, closed: bool) -> io::Result<()> {
-    write!(
-        out,
-        "0\nPOLYLINE\n8\n{layer}\n66\n1\n70\n{}\n",
-        u8::from(closed)
-    )?;
-    place(out, 10, DVec2::ZERO)?;
-    for p in points.iter() {
-        write!(out, "0\nVERTEX\n8\n{layer}\n")?;
+    // A polyline whose vertices have heights of their own, and such a vertex, say so by a flag.
+    let (line, vertex) = match points.has_heights() {
+        true => (8, "70\n32\n"),
+        false => (0, ""),
+    };
+    let flags = u8::from(closed) + line;
+    write!(out, "0\nPOLYLINE\n8\n{layer}\n66\n1\n70\n{flags}\n")?;
+    place(out, 10, DVec2::ZERO.into())?;
+    for p in points.positions() {
+        write!(out, "0\nVERTEX\n8\n{layer}\n{vertex}")?;
         place(out, 10, p)?;
     }
     write!(out, "0\nSEQEND\n8\n{layer}\n")
 }
 
 /// A place in space, its x under the given code.
-fn place(out: &mut dyn Write, code: u32, p: DVec2) -> io::Result<()> {
-    let (x, y) = (Number(p.x), Number(p.y));
-    write!(out, "{code}\n{x}\n{}\n{y}\n{}\n0\n", code + 10, code + 20)
+fn place(out: &mut dyn Write, code: u32, position: Position) -> io::Result<()> {
+    let Position { place: p, height } = position;
+    let [x, y, z] = [p.x, p.y, height.unwrap_or(0.0)].map(Number);
+    write!(out, "{code}\n{x}\n{}\n{y}\n{}\n{z}\n", code + 10, code + 20)
 }

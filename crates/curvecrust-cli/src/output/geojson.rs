@@ -1,7 +1,7 @@
 //! GeoJSON (RFC 7946): a collection of features, one a line.
 
-use super::{Feature, Places, Shape, Streamed};
-use curvecrust::DVec2;
+use super::{Feature, Places, Position, Shape, Streamed};
+use crate::points::System;
 use curvecrust::geometry::Segment;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
@@ -9,8 +9,21 @@ use std::io::{self, Write};
 pub(super) fn write<'a, P: Serialize>(
     out: &mut dyn Write,
     features: impl Iterator<Item = Feature<'a, P>>,
+    system: Option<&System>,
 ) -> io::Result<()> {
-    write!(out, r#"{{"type":"FeatureCollection","features":["#)?;
+    write!(out, r#"{{"type":"FeatureCollection","#)?;
+    // RFC 7946 knows no other system than that of longitudes and latitudes; maps in metres name
+    // theirs as GeoJSON had it before.
+    if let Some(code) = system.and_then(System::epsg)
+        && code != System::WGS84
+    {
+        let name = format!("urn:ogc:def:crs:EPSG::{code}");
+        write!(
+            out,
+            r#""crs":{{"type":"name","properties":{{"name":"{name}"}}}},"#
+        )?;
+    }
+    write!(out, r#""features":["#)?;
     for (i, feature) in features.enumerate() {
         write!(out, "{}", if i == 0 { "\n" } else { ",\n" })?;
         serde_json::to_writer(&mut *out, &feature)?;
@@ -39,11 +52,11 @@ impl Serialize for Shape<'_> {
             }
             Self::Line(line) => {
                 map.serialize_entry("type", "LineString")?;
-                map.serialize_entry("coordinates", &Streamed(|| positions(line.iter())))?;
+                map.serialize_entry("coordinates", &Streamed(|| positions(line.positions())))?;
             }
             Self::Points(points) => {
                 map.serialize_entry("type", "MultiPoint")?;
-                map.serialize_entry("coordinates", &Streamed(|| positions(points.iter())))?;
+                map.serialize_entry("coordinates", &Streamed(|| positions(points.positions())))?;
             }
             Self::Segments(segments) => {
                 map.serialize_entry("type", "MultiLineString")?;
@@ -55,6 +68,6 @@ impl Serialize for Shape<'_> {
     }
 }
 
-fn positions(points: impl Iterator<Item = DVec2>) -> impl Iterator<Item = [f64; 2]> {
-    points.map(|p| p.to_array())
+fn positions(positions: impl Iterator<Item = Position>) -> impl Iterator<Item = impl Serialize> {
+    positions.map(|position| Streamed(move || position.coordinates()))
 }

@@ -1,7 +1,6 @@
 //! GPX 1.1: points as way points, lines and rings as tracks; x is the longitude, y the latitude.
 
-use super::{Feature, Number, Shape};
-use curvecrust::DVec2;
+use super::{Feature, Number, Position, Shape};
 use std::io::{self, ErrorKind, Write};
 
 pub(super) fn write<'a, P>(
@@ -18,22 +17,26 @@ pub(super) fn write<'a, P>(
     )?;
     for shape in &shapes {
         if let Shape::Points(points) = shape {
-            points.iter().try_for_each(|p| position(out, "wpt", p))?;
+            points
+                .positions()
+                .try_for_each(|p| position(out, "wpt", p))?;
         }
     }
     for shape in &shapes {
         match shape {
             Shape::Points(_) => {}
-            Shape::Line(line) => track(out, [line.iter()])?,
+            Shape::Line(line) => track(out, [line.positions()])?,
             Shape::Polygon(rings) => track(out, rings.iter().map(|ring| ring.closed()))?,
-            Shape::Segments(segments) => track(out, segments.iter().map(|s| [s.a, s.b]))?,
+            Shape::Segments(segments) => {
+                track(out, segments.iter().map(|s| [s.a, s.b].map(Position::from)))?;
+            }
         }
     }
     writeln!(out, "</gpx>")
 }
 
 /// A track, of which each part is a segment.
-fn track<I: IntoIterator<Item = DVec2>>(
+fn track<I: IntoIterator<Item = Position>>(
     out: &mut dyn Write,
     parts: impl IntoIterator<Item = I>,
 ) -> io::Result<()> {
@@ -47,11 +50,18 @@ fn track<I: IntoIterator<Item = DVec2>>(
     writeln!(out, "</trk>")
 }
 
-fn position(out: &mut dyn Write, name: &str, p: DVec2) -> io::Result<()> {
+fn position(out: &mut dyn Write, name: &str, position: Position) -> io::Result<()> {
+    let p = position.place;
     let (x, y) = (Number(p.x), Number(p.y));
     if p.x.abs() > 180.0 || p.y.abs() > 90.0 {
         let message = format!("gpx holds longitudes and latitudes, and ({x}, {y}) is none");
         return Err(io::Error::new(ErrorKind::InvalidInput, message));
     }
-    writeln!(out, r#"<{name} lat="{y}" lon="{x}"/>"#)
+    match position.height.map(Number) {
+        None => writeln!(out, r#"<{name} lat="{y}" lon="{x}"/>"#),
+        Some(z) => writeln!(
+            out,
+            r#"<{name} lat="{y}" lon="{x}"><ele>{z}</ele></{name}>"#
+        ),
+    }
 }

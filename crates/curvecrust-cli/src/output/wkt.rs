@@ -1,7 +1,6 @@
 //! Well-known text: one geometry, a collection unless there is exactly one shape.
 
-use super::{Feature, Number, Shape};
-use curvecrust::DVec2;
+use super::{Feature, Number, Position, Shape};
 use std::io::{self, Write};
 
 pub(super) fn write<'a, P>(
@@ -26,29 +25,35 @@ pub(super) fn write<'a, P>(
 }
 
 fn geometry(out: &mut dyn Write, shape: &Shape<'_>) -> io::Result<()> {
+    let z = if shape.has_heights() { " Z" } else { "" };
     match shape {
         Shape::Polygon(rings) => {
-            write!(out, "POLYGON")?;
+            write!(out, "POLYGON{z}")?;
             listed(out, rings, |out, ring| positions(out, ring.closed()))
         }
         Shape::Line(line) => {
-            write!(out, "LINESTRING")?;
-            positions(out, line.iter())
+            write!(out, "LINESTRING{z}")?;
+            positions(out, line.positions())
         }
         Shape::Points(points) => {
-            write!(out, "MULTIPOINT")?;
-            listed(out, points.iter(), |out, p| positions(out, [p]))
+            write!(out, "MULTIPOINT{z}")?;
+            listed(out, points.positions(), |out, p| positions(out, [p]))
         }
         Shape::Segments(segments) => {
             write!(out, "MULTILINESTRING")?;
-            listed(out, *segments, |out, s| positions(out, [s.a, s.b]))
+            listed(out, *segments, |out, s| {
+                positions(out, [s.a, s.b].map(Position::from))
+            })
         }
     }
 }
 
-fn positions(out: &mut dyn Write, points: impl IntoIterator<Item = DVec2>) -> io::Result<()> {
-    listed(out, points, |out, p| {
-        write!(out, "{} {}", Number(p.x), Number(p.y))
+fn positions(out: &mut dyn Write, positions: impl IntoIterator<Item = Position>) -> io::Result<()> {
+    listed(out, positions, |out, position| {
+        for (i, number) in position.coordinates().enumerate() {
+            write!(out, "{}{}", if i == 0 { "" } else { " " }, Number(number))?;
+        }
+        Ok(())
     })
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct ColumnNames {
 pub(super) struct Columns {
     pub(super) x: usize,
     pub(super) y: usize,
+    /// That of the heights, if there is one.
+    pub(super) z: Option<usize>,
 }
 
 /// Names of columns of x and of y that belong together, in small letters.
@@ -31,14 +33,25 @@ pub(super) const HEIGHTS: &[&str] = &["z", "h", "height", "alt", "altitude", "el
 
 impl Columns {
     /// Of a table without names.
-    pub(super) const FIRST: Self = Self { x: 0, y: 1 };
+    pub(super) fn first(width: usize) -> Self {
+        Self {
+            x: 0,
+            y: 1,
+            z: (width == 3).then_some(2),
+        }
+    }
 
     /// The columns that have the names, or names that are known; `None` if there are none.
     pub(super) fn of_header(
         header: &impl Records,
         names: Option<&ColumnNames>,
     ) -> Result<Option<Self>, Flaw> {
-        let pair = |x: Option<usize>, y: Option<usize>| Some(Self { x: x?, y: y? });
+        let pair = |x: Option<usize>, y: Option<usize>| {
+            let (x, y) = (x?, y?);
+            let is_height = |column: &usize| *column != x && *column != y;
+            let z = heights(header).find(is_height);
+            Some(Self { x, y, z })
+        };
         if let Some(ColumnNames { x, y }) = names {
             return Ok(pair(asked(header, x)?, asked(header, y)?));
         }
@@ -52,8 +65,8 @@ impl Columns {
     }
 
     /// What the user should know about the choice; `None` if it is as plain as x and y.
-    pub(super) fn note(self, header: &impl Records) -> Option<String> {
-        let Self { x, y } = self;
+    pub(super) fn note(self, header: &impl Records, keeps_heights: bool) -> Option<String> {
+        let Self { x, y, z } = self;
         let [x_name, y_name] = [x, y].map(|column| header.field(column));
         let mut notes = Vec::new();
         if !(x_name.eq_ignore_ascii_case(b"x") && y_name.eq_ignore_ascii_case(b"y")) {
@@ -64,14 +77,21 @@ impl Columns {
             };
             notes.push(format!("x is the column {x}, y is {y}{degrees}"));
         }
-        let columns = (0..header.len()).filter(|&column| column != x && column != y);
-        let heights = columns.filter(|&column| is_one_of(header.field(column), HEIGHTS));
-        let heights: Vec<&[u8]> = heights.map(|column| header.field(column)).collect();
-        if !heights.is_empty() {
-            notes.push(left_out(heights.into_iter()));
+        let kept = z.filter(|_| keeps_heights);
+        let others =
+            heights(header).filter(|&column| ![Some(x), Some(y), kept].contains(&Some(column)));
+        let others: Vec<&[u8]> = others.map(|column| header.field(column)).collect();
+        if !others.is_empty() {
+            notes.push(left_out(others.into_iter()));
         }
         (!notes.is_empty()).then(|| notes.join("; "))
     }
+}
+
+/// The columns that have a name of heights.
+fn heights(header: &impl Records) -> impl Iterator<Item = usize> {
+    let is_height = |&column: &usize| is_one_of(without_unit(header.field(column)), HEIGHTS);
+    (0..header.len()).filter(is_height)
 }
 
 /// Whether a column has a name of longitudes, which are degrees.

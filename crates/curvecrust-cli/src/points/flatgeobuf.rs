@@ -4,7 +4,7 @@
 //! The crate verifies headers and features. It would reserve what a feature says it has, and its
 //! tree fails where the header is wrong: the tree is passed over, and features are read, here.
 
-use super::gathered::Gathered;
+use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
 use flatgeobuf::{FgbReader, Geometry, GeometryType, Header, size_prefixed_root_as_feature};
@@ -21,7 +21,6 @@ struct Layer {
     kind: GeometryType,
     features: u64,
     tree: u64,
-    has_heights: bool,
     has_measures: bool,
 }
 
@@ -103,7 +102,6 @@ impl Layer {
             features,
             tree: tree(features, header.index_node_size())
                 .ok_or_else(|| problem("its tree has a size that cannot be"))?,
-            has_heights: header.has_z(),
             has_measures: header.has_m(),
         })
     }
@@ -152,15 +150,13 @@ fn collect(
     let parts = geometry.parts().into_iter().flatten();
     match kind {
         GeometryType::Point | GeometryType::MultiPoint => {
-            for [x, y] in positions(&geometry) {
-                found.point(x, y)?;
-            }
-            dimension(found, layer, &geometry);
-            Ok(())
+            found.measure(layer.has_measures || geometry.m().is_some());
+            let mut vertices = vertices(&geometry);
+            vertices.try_for_each(|vertex| found.point(vertex))
         }
         GeometryType::LineString | GeometryType::MultiLineString | GeometryType::Polygon => {
             found.wants_vertices(kind.variant_name().unwrap_or_default())?;
-            dimension(found, layer, &geometry);
+            found.measure(layer.has_measures || geometry.m().is_some());
             lines(found, &geometry)
         }
         GeometryType::MultiPolygon | GeometryType::GeometryCollection => {
@@ -185,22 +181,18 @@ fn collect(
     }
 }
 
-fn dimension(found: &mut Gathered, layer: &Layer, geometry: &Geometry<'_>) {
-    found.height(layer.has_heights || geometry.z().is_some());
-    found.measure(layer.has_measures || geometry.m().is_some());
-}
-
-fn positions<'a>(geometry: &Geometry<'a>) -> impl Iterator<Item = [f64; 2]> + 'a {
+fn vertices<'a>(geometry: &Geometry<'a>) -> impl Iterator<Item = Vertex> + 'a {
     let xy = geometry.xy();
     let count = xy.map_or(0, |xy| xy.len() / 2);
     let xy = xy.into_iter().flatten();
     let mut numbers = xy.take(2 * count);
-    std::iter::from_fn(move || Some([numbers.next()?, numbers.next()?]))
+    let mut heights = geometry.z().into_iter().flatten();
+    std::iter::from_fn(move || Some(([numbers.next()?, numbers.next()?], heights.next())))
 }
 
 /// The vertices of the lines of a geometry, which ends where the next begins.
 fn lines(found: &mut Gathered, geometry: &Geometry<'_>) -> Result<(), Flaw> {
-    let vertices: Vec<[f64; 2]> = positions(geometry).collect();
+    let vertices: Vec<Vertex> = vertices(geometry).collect();
     let all = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
     let ends: Vec<u32> = match geometry.ends() {
         Some(ends) if !ends.is_empty() => ends.iter().collect(),

@@ -100,6 +100,8 @@ pub(crate) enum Problem {
     TwoColumns(String),
     #[error("--x and --y name columns of tables, but this is {}", .0.name())]
     NoTable(Format),
+    #[error("there is no height to keep")]
+    NoHeight,
     #[error("{0}")]
     Json(String),
     #[error("the object has neither `points` nor `samples`, nor is it GeoJSON")]
@@ -118,12 +120,12 @@ pub(crate) enum Problem {
     Shape(String),
     #[error("the shape is ({0}): the coordinates of one axis have the shape (n,)")]
     ColumnShape(String),
-    #[error("the arrays {x} and {y} have {x_rows} and {y_rows} rows")]
+    #[error("the arrays {first} and {second} have {first_rows} and {second_rows} rows")]
     Rows {
-        x: String,
-        y: String,
-        x_rows: usize,
-        y_rows: usize,
+        first: String,
+        second: String,
+        first_rows: usize,
+        second_rows: usize,
     },
     #[error("no array is named {missing}: there are {found}")]
     NoArrayNamed { missing: String, found: String },

@@ -1,13 +1,17 @@
 //! Points as the readers of geometries gather them. Heights and the last vertices of closed lines
 //! are left out, and the notes say so.
 
+use super::heights::Heights;
 use super::system::{DEGREES, System};
 use super::value::in_double_range;
-use super::{Flaw, HEIGHTS, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, Wanted};
 use curvecrust::DVec2;
 
 /// Reference systems that a note names; what has more is no map.
 const MOST_SYSTEMS: usize = 8;
+
+/// The coordinates of a point: x and y, and z if it has one.
+pub(super) type Vertex = ([f64; 2], Option<f64>);
 
 /// Points, and what is known about them, on the way through a file.
 pub(super) struct Gathered {
@@ -16,7 +20,7 @@ pub(super) struct Gathered {
     vertices: bool,
     /// Where the reader is; positions are counted here.
     place: Place,
-    has_heights: bool,
+    heights: Heights,
     has_measures: bool,
     /// Lines whose last vertex, which repeats the first, was left out.
     closed_lines: usize,
@@ -31,7 +35,7 @@ impl Gathered {
             points: Vec::new(),
             vertices: wanted.vertices,
             place: Place::File,
-            has_heights: false,
+            heights: Heights::new(wanted),
             has_measures: false,
             closed_lines: 0,
             systems: Vec::new(),
@@ -50,30 +54,32 @@ impl Gathered {
     }
 
     /// Takes a point.
-    pub(super) fn point(&mut self, x: f64, y: f64) -> Result<(), Flaw> {
+    pub(super) fn point(&mut self, ([x, y], height): Vertex) -> Result<(), Flaw> {
         if let Place::Position(_, number) = &mut self.place {
             *number += 1;
         }
         let value = |value| in_double_range(value).map_err(|problem| problem.at(self.place));
         self.points.push(DVec2::new(value(x)?, value(y)?));
-        Ok(())
+        self.heights
+            .take(height)
+            .map_err(|problem| problem.at(self.place))
     }
 
     /// Takes the vertices of a line, of a closed one the first once. Whether they are wanted is
     /// settled before, by [`Self::wants_vertices`].
     pub(super) fn line(
         &mut self,
-        vertices: impl IntoIterator<Item = Result<[f64; 2], Flaw>>,
+        vertices: impl IntoIterator<Item = Result<Vertex, Flaw>>,
     ) -> Result<(), Flaw> {
         let start = self.points.len();
         for vertex in vertices {
-            let [x, y] = vertex?;
-            self.point(x, y)?;
+            self.point(vertex?)?;
         }
         if let [first, .., last] = &self.points[start..]
             && first == last
         {
             self.points.pop();
+            self.heights.pop();
             self.closed_lines += 1;
         }
         Ok(())
@@ -94,9 +100,10 @@ impl Gathered {
         }
     }
 
-    /// Notes whether what was taken has a height.
-    pub(super) fn height(&mut self, has_height: bool) {
-        self.has_heights |= has_height;
+    /// The height that a word stands for, which need not be a number if none is wanted.
+    pub(super) fn height_of(&self, word: Option<&[u8]>) -> Result<Option<f64>, Flaw> {
+        let height = self.heights.of_word(word, false);
+        height.map_err(|problem| problem.at(self.place))
     }
 
     /// Notes whether what was taken has a measure, the fourth coordinate of maps.
@@ -119,9 +126,8 @@ impl Gathered {
     pub(super) fn finish(self) -> PointList {
         let mut notes = self.notes;
         notes.extend(system_note(&self.systems));
-        if self.has_heights {
-            notes.push(HEIGHTS.to_owned());
-        }
+        let (heights, left_out) = self.heights.finish();
+        notes.extend(left_out);
         if self.has_measures {
             notes.push("measures are left out".to_owned());
         }
@@ -132,8 +138,15 @@ impl Gathered {
                 "the last vertices of {count} closed lines repeat the first ones and are left out"
             )),
         });
+        let system = match <[System; 1]>::try_from(self.systems) {
+            Ok([system]) => Some(system),
+            // There may be none, or several.
+            Err(_) => None,
+        };
         PointList {
             points: self.points,
+            heights,
+            system,
             notes,
         }
     }
@@ -143,13 +156,13 @@ impl Gathered {
 fn system_note(systems: &[System]) -> Option<String> {
     let (first, others) = systems.split_first()?;
     if others.is_empty() {
-        let note = format!("the reference system is {}", first.name);
-        return Some(match first.is_geographic {
+        let note = format!("the reference system is {}", first.name());
+        return Some(match first.is_geographic() {
             true => format!("{note}: {DEGREES}"),
             false => note,
         });
     }
-    let shown = systems.iter().take(MOST_SYSTEMS).map(|s| s.name.as_str());
+    let shown = systems.iter().take(MOST_SYSTEMS).map(System::name);
     let more = if systems.len() > MOST_SYSTEMS {
         " and more"
     } else {

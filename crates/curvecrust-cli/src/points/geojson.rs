@@ -1,7 +1,7 @@
 //! GeoJSON (RFC 7946), by the crate of that name: the positions of all `Point`s and `MultiPoint`s,
-//! in order, without their heights; the vertices of lines and polygons on request.
+//! in order; the vertices of lines and polygons on request.
 
-use super::gathered::Gathered;
+use super::gathered::{Gathered, Vertex};
 use super::json_text::parse;
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
@@ -72,27 +72,19 @@ fn collect(found: &mut Gathered, geometry: &Geometry) -> Result<(), Flaw> {
 /// The vertices of a line, of a closed one the first once.
 fn take_line(found: &mut Gathered, line: &[Position], of: &str) -> Result<(), Flaw> {
     found.wants_vertices(of)?;
-    let mut heights = false;
-    let vertices = line.iter().map(|position| {
-        let (xy, has_height) = coordinates(position, of)?;
-        heights |= has_height;
-        Ok(xy)
-    });
-    found.line(vertices)?;
-    found.height(heights);
-    Ok(())
+    let vertices = line.iter().map(|position| Ok(coordinates(position, of)?));
+    found.line(vertices)
 }
 
 fn take(found: &mut Gathered, position: &Position, of: &str) -> Result<(), Flaw> {
-    let ([x, y], has_height) = coordinates(position, of).map_err(|problem| found.flaw(problem))?;
-    found.height(has_height);
-    found.point(x, y)
+    let vertex = coordinates(position, of).map_err(|problem| found.flaw(problem))?;
+    found.point(vertex)
 }
 
-/// The first two numbers of a position, and whether there are more.
-fn coordinates(position: &Position, of: &str) -> Result<([f64; 2], bool), Problem> {
+/// The first two numbers of a position, and the third if there is one.
+fn coordinates(position: &Position, of: &str) -> Result<Vertex, Problem> {
     match position.as_slice() {
-        [x, y, heights @ ..] => Ok(([*x, *y], !heights.is_empty())),
+        [x, y, rest @ ..] => Ok(([*x, *y], rest.first().copied())),
         _ => Err(Problem::Coordinates(of.to_owned())),
     }
 }

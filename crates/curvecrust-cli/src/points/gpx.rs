@@ -2,14 +2,15 @@
 //! order, longitude as x and latitude as y.
 
 use super::gathered::Gathered;
-use super::system::DEGREES;
+use super::system::System;
 use super::xml::{line_of, with_root};
 use super::{Flaw, PointList, Problem, Wanted, coordinate};
 
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let document = with_root(bytes, "gpx", || Problem::NotGpx)?;
     let mut found = Gathered::new(wanted);
-    found.note(format!("x is the longitude, y the latitude: {DEGREES}"));
+    found.note("x is the longitude, y the latitude");
+    found.system(System::of_longitudes("WGS 84"));
     for node in document.root_element().descendants() {
         if !matches!(node.tag_name().name(), "wpt" | "rtept" | "trkpt") {
             continue;
@@ -19,12 +20,11 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
             let word = node.attribute(name).unwrap_or_default();
             coordinate(word.trim().as_bytes(), false).map_err(|problem| found.flaw(problem))
         };
-        let [x, y] = [value("lon")?, value("lat")?];
-        found.point(x, y)?;
-        found.height(
-            node.children()
-                .any(|child| child.tag_name().name() == "ele"),
-        );
+        let place = [value("lon")?, value("lat")?];
+        let mut children = node.children();
+        let height = children.find(|child| child.tag_name().name() == "ele");
+        let height = height.map(|node| node.text().unwrap_or_default().trim());
+        found.point((place, found.height_of(height.map(str::as_bytes))?))?;
     }
     Ok(found.finish())
 }

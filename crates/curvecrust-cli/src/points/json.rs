@@ -1,14 +1,16 @@
 //! JSON: an array of `[x, y]` or of objects with `x` and `y`, or an object with such an array as
 //! `points` or `samples`, such as the program prints. An object with a `type` is GeoJSON. Where
-//! every point is `[x, y, z]`, z is left out.
+//! every point is `[x, y, z]`, z is a height.
 
 use super::columns::{HEIGHTS, KNOWN, is_longitude};
+use super::heights::Heights;
 use super::json_text::parse;
 use super::system::DEGREES;
-use super::{Flaw, PointList, Problem, Wanted, geojson, in_double_range};
+use super::{Flaw, Place, PointList, Problem, Wanted, geojson, in_double_range};
 use curvecrust::DVec2;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde_json::Value;
 use std::fmt;
 
 /// The keys of an object that are read.
@@ -31,8 +33,10 @@ struct Points {
 struct Kind {
     /// How many numbers each has; `None` before the first.
     dimension: Option<Dimension>,
-    /// Whether any is an object with a height.
-    has_heights: bool,
+    /// The height of every point, up to the last that has one; no number where there is none.
+    heights: Vec<f64>,
+    /// How many points there are.
+    count: usize,
     /// Whether any is a longitude and a latitude.
     has_degrees: bool,
 }
@@ -56,13 +60,26 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
         }
     };
     let Points { points, kind } = found;
-    let has_heights = kind.has_heights || kind.dimension == Some(Dimension::Three);
-    let mut list = PointList::with_heights(points, has_heights);
+    let mut heights = Heights::new(wanted);
+    for index in 0..points.len() {
+        let height = kind.heights.get(index).filter(|height| !height.is_nan());
+        let taken = heights.take(height.copied());
+        taken.map_err(|problem| problem.at(Place::Item("point", index as u64 + 1)))?;
+    }
+    let mut list = PointList::new(points, heights);
     if kind.has_degrees {
         let note = format!("x is the longitude, y the latitude: {DEGREES}");
         list.notes.push(note);
     }
     Ok(list)
+}
+
+impl Kind {
+    /// Takes the height of the point that is being read.
+    fn height(&mut self, height: f64) {
+        self.heights.resize(self.count, f64::NAN);
+        self.heights.push(height);
+    }
 }
 
 impl<'de> Deserialize<'de> for Points {
@@ -84,6 +101,7 @@ impl<'de> Visitor<'de> for PointsVisitor {
         let mut found = Points::default();
         while let Some(point) = seq.next_element_seed(Point(&mut found.kind))? {
             found.points.push(point);
+            found.kind.count += 1;
         }
         Ok(found)
     }
@@ -116,7 +134,10 @@ impl<'de> Visitor<'de> for Point<'_> {
         let point = DVec2::new(value(x)?, value(y)?);
         let dimension = match next()? {
             None => Dimension::Two,
-            Some(_) => Dimension::Three,
+            Some(height) => {
+                self.0.height(height);
+                Dimension::Three
+            }
         };
         match (*self.0.dimension.get_or_insert(dimension), dimension) {
             (Dimension::Three, Dimension::Two) => return Err(less()),
@@ -138,8 +159,12 @@ impl<'de> Visitor<'de> for Point<'_> {
             let mut places = pairs.flat_map(|(names, values)| names.iter().zip(values));
             match places.find(|(names, _)| names.contains(&&*key)) {
                 Some((_, value)) => *value = Some(map.next_value::<f64>()?),
+                None if HEIGHTS.contains(&&*key) => {
+                    if let Value::Number(height) = map.next_value::<Value>()? {
+                        self.0.height(height.as_f64().unwrap_or(f64::NAN));
+                    }
+                }
                 None => {
-                    self.0.has_heights |= HEIGHTS.contains(&&*key);
                     map.next_value::<IgnoredAny>()?;
                 }
             }

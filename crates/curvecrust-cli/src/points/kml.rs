@@ -1,8 +1,8 @@
 //! KML, of Google Earth and others: the coordinates of all points and tracks, in order, longitude
 //! as x and latitude as y; the vertices of lines and polygons on request.
 
-use super::gathered::Gathered;
-use super::system::DEGREES;
+use super::gathered::{Gathered, Vertex};
+use super::system::System;
 use super::value::coordinate;
 use super::xml::{line_of, with_root};
 use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
@@ -11,24 +11,25 @@ use roxmltree::Node;
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let document = with_root(bytes, "kml", || Problem::NotKml)?;
     let mut found = Gathered::new(wanted);
-    found.note(format!("x is the longitude, y the latitude: {DEGREES}"));
+    found.note("x is the longitude, y the latitude");
+    found.system(System::of_longitudes("WGS 84"));
     for node in document.root_element().descendants() {
         found.go_to(line_of(node));
         match node.tag_name().name() {
             "Point" => {
                 for position in positions(node) {
-                    let [x, y] = take(&mut found, &position)?;
-                    found.point(x, y)?;
+                    let vertex = take(&found, &position)?;
+                    found.point(vertex)?;
                 }
             }
             // A track has an element for each of its points.
             "coord" => {
-                let [x, y] = take(&mut found, &Position::of_track(node))?;
-                found.point(x, y)?;
+                let vertex = take(&found, &Position::of_track(node))?;
+                found.point(vertex)?;
             }
             name @ ("LineString" | "LinearRing") => {
                 found.wants_vertices(name)?;
-                let vertices = positions(node).map(|position| take(&mut found, &position));
+                let vertices = positions(node).map(|position| take(&found, &position));
                 let vertices = vertices.collect::<Result<Vec<_>, _>>()?;
                 found.line(vertices.into_iter().map(Ok))?;
             }
@@ -71,17 +72,16 @@ fn positions<'a>(geometry: Node<'a, 'a>) -> impl Iterator<Item = Position<'a>> {
     })
 }
 
-/// The longitude and the latitude of a position.
-fn take(found: &mut Gathered, position: &Position<'_>) -> Result<[f64; 2], Flaw> {
-    let [x, y, heights @ ..] = &position.words[..] else {
+/// The longitude, the latitude and the height of a position.
+fn take(found: &Gathered, position: &Position<'_>) -> Result<Vertex, Flaw> {
+    let [x, y, rest @ ..] = &position.words[..] else {
         let problem = Problem::Short(quoted(position.whole.as_bytes()));
         return Err(problem.at(position.place));
     };
     let value = |word: &str| {
         coordinate(word.as_bytes(), false).map_err(|problem| problem.at(position.place))
     };
-    // Every position of Google Earth has a height, which is 0 on a map.
-    let height = heights.first().and_then(|word| word.parse::<f64>().ok());
-    found.height(height.is_some_and(|height| height.abs() > 0.0));
-    Ok([value(x)?, value(y)?])
+    let height = found.height_of(rest.first().map(|word| word.as_bytes()));
+    let height = height.map_err(|flaw| flaw.problem.at(position.place))?;
+    Ok(([value(x)?, value(y)?], height))
 }

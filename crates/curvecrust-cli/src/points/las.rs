@@ -31,7 +31,6 @@ pub(super) fn read(mut source: Seekable, wanted: &Wanted) -> Result<PointList, F
     if let Some(system) = system(reader.header()) {
         found.system(system);
     }
-    found.height(true);
     let piece = (PIECE / record.max(1)).max(1);
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
     let mut done = 0;
@@ -49,9 +48,10 @@ pub(super) fn read(mut source: Seekable, wanted: &Wanted) -> Result<PointList, F
             }
             .into());
         }
-        for (number, (x, y)) in (done..).zip(data.x().zip(data.y())) {
+        let axes = data.x().zip(data.y()).zip(data.z());
+        for (number, ((x, y), z)) in (done..).zip(axes) {
             found.go_to(place(number));
-            found.point(x, y)?;
+            found.point(([x, y], Some(z)))?;
         }
         done += count;
     }

@@ -7,7 +7,8 @@
 mod header;
 mod rows;
 
-use super::{Flaw, Place, PointList, Problem, in_double_range};
+use super::heights::Heights;
+use super::{Flaw, Place, PointList, Problem, Wanted, in_double_range};
 use curvecrust::DVec2;
 use header::{Header, Number};
 pub(crate) use rows::Rows;
@@ -16,7 +17,7 @@ use std::io::{ErrorKind, Read};
 /// Numbers read at once.
 const CHUNK: usize = 8192;
 
-pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
+pub(super) fn read(mut reader: impl Read, wanted: &Wanted) -> Result<PointList, Flaw> {
     let header = header::read(&mut reader)?;
     let Header { rows, columns, .. } = header;
     if columns < 2 || rows > u32::MAX as usize {
@@ -24,6 +25,7 @@ pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
     }
     // A header may promise more than follows: no more is reserved than was read.
     let mut points: Vec<DVec2> = Vec::new();
+    let mut heights = Heights::new(wanted);
     let mut index = 0;
     each_number(&mut reader, &header, |value| {
         let (row, column) = if header.by_columns {
@@ -32,11 +34,13 @@ pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
             (index / columns, index % columns)
         };
         index += 1;
+        let place = Place::Row(row as u64 + 1, column + 1);
         if column > 1 {
-            return Ok(());
+            return heights
+                .take(Some(value))
+                .map_err(|problem| problem.at(place));
         }
-        let value = in_double_range(value)
-            .map_err(|problem| problem.at(Place::Row(row as u64 + 1, column + 1)))?;
+        let value = in_double_range(value).map_err(|problem| problem.at(place))?;
         if column == 0 {
             points.push(DVec2::new(value, 0.0));
         } else {
@@ -45,7 +49,10 @@ pub(super) fn read(mut reader: impl Read) -> Result<PointList, Flaw> {
         Ok(())
     })?;
     settle_end(&mut reader, &header)?;
-    Ok(PointList::with_heights(points, columns > 2))
+    if heights.are_wanted() && columns < 3 {
+        return Err(Problem::NoHeight.into());
+    }
+    Ok(PointList::new(points, heights))
 }
 
 /// Reads the numbers of an array of shape (n,).

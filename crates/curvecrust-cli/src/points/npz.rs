@@ -3,9 +3,9 @@
 
 mod bounded;
 
-use super::columns::{ColumnNames, KNOWN};
+use super::columns::{ColumnNames, HEIGHTS, KNOWN};
 use super::quote::{left_out, listed};
-use super::{Flaw, PointList, Problem, npy, quoted};
+use super::{Flaw, PointList, Problem, Wanted, npy, quoted};
 use crate::input::Seekable;
 use bounded::Bounded;
 use curvecrust::DVec2;
@@ -27,40 +27,70 @@ enum Choice {
     Columns(usize, usize),
 }
 
-pub(super) fn read(source: Seekable, names: Option<&ColumnNames>) -> Result<PointList, Flaw> {
+pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
     let size = source.size()?;
     let mut archive = ZipArchive::new(BufReader::new(source)).map_err(flaw)?;
     let names_of = (0..archive.len()).filter_map(|index| archive.name_for_index(index));
     let arrays = names_of.map(|name| name.map(|name| stem(&name)).map_err(flaw));
     let arrays: Vec<String> = arrays.collect::<Result<_, _>>()?;
-    let choice = choose(&arrays, names)?;
+    let choice = choose(&arrays, wanted.columns.as_ref())?;
     let (mut list, taken) = match choice {
         Choice::Rows(index) => {
-            let list = within(&mut archive, index, &arrays, size, |array| npy::read(array))?;
-            (list, [index, index])
+            let list = within(&mut archive, index, &arrays, size, |array| {
+                npy::read(array, wanted)
+            })?;
+            (list, vec![index])
         }
-        Choice::Columns(x, y) => {
-            let read = |array: &mut dyn Read| npy::read_column(array);
-            let xs = within(&mut archive, x, &arrays, size, read)?;
-            let ys = within(&mut archive, y, &arrays, size, read)?;
-            if xs.len() != ys.len() {
-                let [x, y] = [x, y].map(|index| name(&arrays, index));
-                let (x_rows, y_rows) = (xs.len(), ys.len());
-                let problem = Problem::Rows {
-                    x,
-                    y,
-                    x_rows,
-                    y_rows,
-                };
-                return Err(problem.into());
-            }
-            let points = xs.into_iter().zip(ys);
-            let points: Vec<DVec2> = points.map(|(x, y)| DVec2::new(x, y)).collect();
-            (points.into(), [x, y])
-        }
+        Choice::Columns(x, y) => columns(&mut archive, [x, y], &arrays, size, wanted)?,
     };
-    list.notes.extend(note(&arrays, choice, taken));
+    list.notes.extend(note(&arrays, choice, &taken));
     Ok(list)
+}
+
+/// Reads two arrays of coordinates and, if heights are wanted, a third; and says which these are.
+fn columns(
+    archive: &mut Archive,
+    [x, y]: [usize; 2],
+    arrays: &[String],
+    size: u64,
+    wanted: &Wanted,
+) -> Result<(PointList, Vec<usize>), Flaw> {
+    let mut read = |index: usize| {
+        let read = |array: &mut dyn Read| npy::read_column(array);
+        within(archive, index, arrays, size, read)
+    };
+    let xs = read(x)?;
+    let of_length = |index: usize, values: Vec<f64>| match values.len() == xs.len() {
+        true => Ok(values),
+        false => Err(Problem::Rows {
+            first: name(arrays, x),
+            second: name(arrays, index),
+            first_rows: xs.len(),
+            second_rows: values.len(),
+        }),
+    };
+    let ys = of_length(y, read(y)?)?;
+    let mut taken = vec![x, y];
+    let mut heights = None;
+    if wanted.heights {
+        let is_height = |name: &str| {
+            HEIGHTS
+                .iter()
+                .any(|height| name.eq_ignore_ascii_case(height))
+        };
+        let z =
+            (0..arrays.len()).find(|&index| !taken.contains(&index) && is_height(&arrays[index]));
+        let z = z.ok_or(Problem::NoHeight)?;
+        heights = Some(of_length(z, read(z)?)?);
+        taken.push(z);
+    }
+    let points = xs.iter().zip(ys).map(|(&x, y)| DVec2::new(x, y));
+    let list = PointList {
+        points: points.collect(),
+        heights,
+        ..PointList::default()
+    };
+    Ok((list, taken))
 }
 
 /// Reads one array, which may unpack to no more than its packed size allows.
@@ -111,7 +141,7 @@ fn choose(arrays: &[String], names: Option<&ColumnNames>) -> Result<Choice, Prob
 }
 
 /// What the user should know about the choice.
-fn note(arrays: &[String], choice: Choice, taken: [usize; 2]) -> Option<String> {
+fn note(arrays: &[String], choice: Choice, taken: &[usize]) -> Option<String> {
     let mut notes = Vec::new();
     if let Choice::Columns(x, y) = choice {
         let [x, y] = [x, y].map(|index| name(arrays, index));

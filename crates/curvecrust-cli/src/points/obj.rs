@@ -1,11 +1,12 @@
 //! Wavefront OBJ: the x and y of all vertices, which are lines of a `v` and numbers.
 
-use super::{Flaw, Place, PointList, Problem, coordinate, quoted};
+use super::heights::Heights;
+use super::{Flaw, Place, PointList, Problem, Wanted, coordinate, quoted};
 use curvecrust::DVec2;
 
-pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let mut points = Vec::new();
-    let mut has_heights = false;
+    let mut heights = Heights::new(wanted);
     for (line, text) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
         let mut words = text
             .split(u8::is_ascii_whitespace)
@@ -21,9 +22,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<PointList, Flaw> {
             coordinate(word, false).map_err(|problem| problem.at(place))
         };
         points.push(DVec2::new(next()?, next()?));
-        has_heights |= words
-            .next()
-            .is_some_and(|z| coordinate(z, false).is_ok_and(|z| z.abs() > 0.0));
+        let height = heights.of_word(words.next(), false);
+        let taken = height.and_then(|height| heights.take(height));
+        taken.map_err(|problem| problem.at(place))?;
     }
-    Ok(PointList::with_heights(points, has_heights))
+    Ok(PointList::new(points, heights))
 }

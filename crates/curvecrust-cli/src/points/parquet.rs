@@ -67,8 +67,8 @@ pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw>
                     geometries(&reader, column, &mut found)?;
                 }
                 Encoding::Point => {
-                    let [x, y] = ["x", "y"].map(|axis| leaf(schema, &[&column, axis]));
-                    points(&reader, [x?, y?], &mut found)?;
+                    let [x, y, z] = ["x", "y", "z"].map(|axis| leaf(schema, &[&column, axis]));
+                    points(&reader, [x?, y?], z.ok(), &mut found)?;
                 }
             }
         }
@@ -80,11 +80,17 @@ pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw>
             });
             // A table without lines.
             let columns = columns.map_err(|flaw| Flaw::from(flaw.problem))?;
-            if let Some(note) = columns.note(&header) {
+            if let Some(note) = columns.note(&header, wanted.heights) {
                 found.note(note);
             }
-            let leaves = [columns.x, columns.y].map(|column| header.columns[column].0);
-            points(&reader, leaves, &mut found)?;
+            let leaf = |column: usize| header.columns[column].0;
+            let height = columns.z.filter(|_| wanted.heights).map(leaf);
+            points(
+                &reader,
+                [columns.x, columns.y].map(leaf),
+                height,
+                &mut found,
+            )?;
         }
     }
     Ok(found.finish())
@@ -195,11 +201,16 @@ fn column(
     ))
 }
 
-/// Takes two columns of numbers.
-fn points(reader: &Reader, columns: [usize; 2], found: &mut Gathered) -> Result<(), Flaw> {
+/// Takes two columns of numbers, and one of heights if there is one.
+fn points(
+    reader: &Reader,
+    columns: [usize; 2],
+    height: Option<usize>,
+    found: &mut Gathered,
+) -> Result<(), Flaw> {
     let metadata = reader.file.metadata();
     let schema = metadata.file_metadata().schema_descr();
-    let [mut xs, mut ys] = [Vec::new(), Vec::new()];
+    let [mut xs, mut ys, mut zs] = [Vec::new(), Vec::new(), Vec::new()];
     let mut row = 0;
     for index in 0..metadata.num_row_groups() {
         let group = reader.file.get_row_group(index).map_err(flaw)?;
@@ -208,18 +219,23 @@ fn points(reader: &Reader, columns: [usize; 2], found: &mut Gathered) -> Result<
             Numbers::new(numbers, &schema.column(number))
         };
         let [mut x_axis, mut y_axis] = [axis(columns[0])?, axis(columns[1])?];
+        let mut z_axis = height.map(axis).transpose()?;
         loop {
             let count = x_axis.read(ROWS, row, &mut xs)?;
-            if y_axis.read(ROWS, row, &mut ys)? != count {
+            let heights = match &mut z_axis {
+                Some(z_axis) => z_axis.read(ROWS, row, &mut zs)?,
+                None => count,
+            };
+            if y_axis.read(ROWS, row, &mut ys)? != count || heights != count {
                 return Err(Problem::Parquet("its columns differ in length".into()).into());
             }
             if count == 0 {
                 break;
             }
-            for (x, y) in xs.iter().zip(&ys) {
+            for (index, (x, y)) in xs.iter().zip(&ys).enumerate() {
                 row += 1;
                 found.go_to(Place::Item("row", row));
-                found.point(*x, *y)?;
+                found.point(([*x, *y], zs.get(index).copied()))?;
             }
         }
     }

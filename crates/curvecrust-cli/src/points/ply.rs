@@ -6,9 +6,10 @@
 mod header;
 
 use super::columns::ColumnNames;
+use super::heights::Heights;
 use super::quote::{left_out, listed};
 use super::value::{coordinate, in_double_range};
-use super::{Flaw, Place, PointList, Problem, quoted};
+use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
 use curvecrust::DVec2;
 use header::{Element, Encoding, Header, Kind, Property, Type};
 use std::io::{self, BufRead, ErrorKind, Read};
@@ -18,12 +19,17 @@ use std::io::{self, BufRead, ErrorKind, Read};
 struct Columns {
     x: usize,
     y: usize,
+    /// That of the heights, if those are wanted.
+    z: Option<usize>,
 }
 
-pub(super) fn read(
-    mut input: impl BufRead,
-    names: Option<&ColumnNames>,
-) -> Result<PointList, Flaw> {
+/// The points that were read so far.
+struct Found {
+    points: Vec<DVec2>,
+    heights: Heights,
+}
+
+pub(super) fn read(mut input: impl BufRead, wanted: &Wanted) -> Result<PointList, Flaw> {
     let Header {
         encoding,
         elements,
@@ -31,22 +37,29 @@ pub(super) fn read(
     } = header::read(&mut input)?;
     let vertices = elements.iter().position(|element| element.name == "vertex");
     let vertices = vertices.ok_or_else(|| Problem::Ply("it has no vertices".into()))?;
-    let columns = columns(&elements[vertices], names)?;
+    let columns = columns(&elements[vertices], wanted)?;
     let before = &elements[..vertices];
-    let points = match encoding {
-        Encoding::Text => words(&mut input, lines, before, &elements[vertices], columns)?,
+    let mut found = Found {
+        points: Vec::new(),
+        heights: Heights::new(wanted),
+    };
+    match encoding {
+        Encoding::Text => {
+            let vertex = &elements[vertices];
+            words(&mut input, lines, before, vertex, columns, &mut found)?;
+        }
         Encoding::Bytes { big_endian } => {
             let mut bytes = Bytes { input, big_endian };
-            bytes.points(before, &elements[vertices], columns)?
+            bytes.points(before, &elements[vertices], columns, &mut found)?;
         }
-    };
-    let mut list = PointList::from(points);
+    }
+    let mut list = PointList::new(found.points, found.heights);
     list.notes.extend(note(&elements[vertices], columns));
     Ok(list)
 }
 
-fn columns(vertex: &Element, names: Option<&ColumnNames>) -> Result<Columns, Problem> {
-    let (x, y) = match names {
+fn columns(vertex: &Element, wanted: &Wanted) -> Result<Columns, Problem> {
+    let (x, y) = match &wanted.columns {
         Some(ColumnNames { x, y }) => (x.as_str(), y.as_str()),
         None => ("x", "y"),
     };
@@ -61,13 +74,14 @@ fn columns(vertex: &Element, names: Option<&ColumnNames>) -> Result<Columns, Pro
     Ok(Columns {
         x: find(x)?,
         y: find(y)?,
+        z: wanted.heights.then(|| find("z")).transpose()?,
     })
 }
 
 /// What of the vertices is left out.
-fn note(vertex: &Element, Columns { x, y }: Columns) -> Option<String> {
+fn note(vertex: &Element, Columns { x, y, z }: Columns) -> Option<String> {
     let properties = vertex.properties.iter().enumerate();
-    let others = properties.filter(|&(index, _)| index != x && index != y);
+    let others = properties.filter(|&(index, _)| index != x && index != y && Some(index) != z);
     let others: Vec<&[u8]> = others.map(|(_, p)| p.name.as_bytes()).collect();
     (!others.is_empty()).then(|| left_out(others.into_iter()))
 }
@@ -89,7 +103,8 @@ fn words(
     before: &[Element],
     vertex: &Element,
     columns: Columns,
-) -> Result<Vec<DVec2>, Flaw> {
+    into: &mut Found,
+) -> Result<(), Flaw> {
     let mut text = Vec::new();
     let mut next = |text: &mut Vec<u8>| -> io::Result<Option<u64>> {
         loop {
@@ -108,21 +123,27 @@ fn words(
             next(&mut text)?.ok_or_else(|| cut_off(vertex, 0))?;
         }
     }
-    let mut points = Vec::new();
     for found in 0..vertex.count {
         let line = next(&mut text)?.ok_or_else(|| cut_off(vertex, found))?;
-        points.push(point_of(&text, vertex, columns).map_err(|p| p.at(Place::Line(line)))?);
+        let taken = take_words(&text, vertex, columns, into);
+        taken.map_err(|problem| problem.at(Place::Line(line)))?;
     }
-    Ok(points)
+    Ok(())
 }
 
-/// The point of a line of words, one a property; a list has its length in front.
-fn point_of(text: &[u8], vertex: &Element, columns: Columns) -> Result<DVec2, Problem> {
+/// Takes the point of a line of words, one a property; a list has its length in front.
+fn take_words(
+    text: &[u8],
+    vertex: &Element,
+    columns: Columns,
+    into: &mut Found,
+) -> Result<(), Problem> {
     let mut words = text
         .split(u8::is_ascii_whitespace)
         .filter(|word| !word.is_empty());
     let short = || Problem::Short(quoted(text.trim_ascii()));
     let mut point = DVec2::ZERO;
+    let mut height = None;
     for (index, property) in vertex.properties.iter().enumerate() {
         let word = words.next().ok_or_else(short)?;
         if index == columns.x {
@@ -130,6 +151,9 @@ fn point_of(text: &[u8], vertex: &Element, columns: Columns) -> Result<DVec2, Pr
         }
         if index == columns.y {
             point.y = coordinate(word, false)?;
+        }
+        if Some(index) == columns.z {
+            height = into.heights.of_word(Some(word), false)?;
         }
         if !property.is_scalar() {
             let length = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
@@ -139,7 +163,8 @@ fn point_of(text: &[u8], vertex: &Element, columns: Columns) -> Result<DVec2, Pr
             }
         }
     }
-    Ok(point)
+    into.points.push(point);
+    into.heights.take(height)
 }
 
 /// A file of bytes behind the header.
@@ -154,7 +179,8 @@ impl<R: Read> Bytes<R> {
         before: &[Element],
         vertex: &Element,
         columns: Columns,
-    ) -> Result<Vec<DVec2>, Flaw> {
+        into: &mut Found,
+    ) -> Result<(), Flaw> {
         for element in before {
             for _ in 0..element.count {
                 for property in &element.properties {
@@ -163,10 +189,10 @@ impl<R: Read> Bytes<R> {
                 }
             }
         }
-        let mut points = Vec::new();
         for found in 0..vertex.count {
             let place = Place::Item("vertex", found + 1);
             let mut point = DVec2::ZERO;
+            let mut height = None;
             for (index, property) in vertex.properties.iter().enumerate() {
                 let value = self.value(property);
                 let value = value.map_err(|error| broken(error, vertex, found))?;
@@ -177,10 +203,15 @@ impl<R: Read> Bytes<R> {
                 if index == columns.y {
                     point.y = number()?;
                 }
+                if Some(index) == columns.z {
+                    height = Some(value);
+                }
             }
-            points.push(point);
+            into.points.push(point);
+            let taken = into.heights.take(height);
+            taken.map_err(|problem| problem.at(place))?;
         }
-        Ok(points)
+        Ok(())
     }
 
     /// The value of a property; a list is passed over.

@@ -5,7 +5,7 @@
 //! and closes rings that are open. Records are read here as they come, and hold no more than
 //! their length. The format is that of ESRI's white paper "ESRI Shapefile Technical Description".
 
-use super::gathered::Gathered;
+use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
 use crate::input::Source;
@@ -122,25 +122,26 @@ impl<R: Read> Content<R> {
     fn shape(&mut self, found: &mut Gathered) -> Result<(), Broken> {
         let kind = self.whole()?;
         // Those of the second ten have a height, which may stand for nothing, and a measure.
-        found.height(matches!(kind, 11..=18 | 31));
+        let has_heights = matches!(kind, 11..=18 | 31);
         found.measure(matches!(kind, 21..=28));
         match kind {
             0 => Ok(()),
             1 | 11 | 21 => {
-                let [x, y] = self.position()?;
-                Ok(found.point(x, y)?)
+                let place = self.position()?;
+                let height = has_heights.then(|| self.number()).transpose()?;
+                Ok(found.point((place, height))?)
             }
             8 | 18 | 28 => {
                 skip(&mut self.input, BOX)?;
-                for _ in 0..self.whole()? {
-                    let [x, y] = self.position()?;
-                    found.point(x, y)?;
+                let count = self.whole()?;
+                for vertex in self.vertices(count, has_heights)? {
+                    found.point(vertex)?;
                 }
                 Ok(())
             }
-            3 | 13 | 23 => self.parts(found, "Polyline", false),
-            5 | 15 | 25 => self.parts(found, "Polygon", false),
-            31 => self.parts(found, "Multipatch", true),
+            3 | 13 | 23 => self.parts(found, "Polyline", has_heights, false),
+            5 | 15 | 25 => self.parts(found, "Polygon", has_heights, false),
+            31 => self.parts(found, "Multipatch", has_heights, true),
             other => {
                 let what = format!("its type is {other}, which is not known");
                 Err(found.flaw(Problem::Shapefile(what)).into())
@@ -149,7 +150,13 @@ impl<R: Read> Content<R> {
     }
 
     /// The vertices of the parts of a shape, each part a line.
-    fn parts(&mut self, found: &mut Gathered, name: &str, has_kinds: bool) -> Result<(), Broken> {
+    fn parts(
+        &mut self,
+        found: &mut Gathered,
+        name: &str,
+        has_heights: bool,
+        has_kinds: bool,
+    ) -> Result<(), Broken> {
         found.wants_vertices(name)?;
         skip(&mut self.input, BOX)?;
         let [parts, points] = [self.whole()?, self.whole()?];
@@ -170,23 +177,38 @@ impl<R: Read> Content<R> {
         {
             return Err(found.flaw(problem("its parts are not in order")).into());
         }
+        let mut vertices = self.vertices(points, has_heights)?.into_iter();
         for (start, end) in starts.iter().zip(ends) {
-            let mut vertices = Vec::new();
-            for _ in *start..*end {
-                vertices.push(self.position()?);
-            }
-            found.line(vertices.into_iter().map(Ok))?;
+            let line = vertices.by_ref().take((end - start) as usize);
+            found.line(line.map(Ok))?;
         }
         Ok(())
     }
 
+    /// So many places and, behind the least and the largest of them, their heights.
+    fn vertices(&mut self, count: u32, has_heights: bool) -> Result<Vec<Vertex>, Broken> {
+        // No more is reserved than is read.
+        let mut vertices: Vec<Vertex> = Vec::new();
+        for _ in 0..count {
+            vertices.push((self.position()?, None));
+        }
+        if has_heights {
+            skip(&mut self.input, 16)?;
+            for vertex in &mut vertices {
+                vertex.1 = Some(self.number()?);
+            }
+        }
+        Ok(vertices)
+    }
+
     fn position(&mut self) -> io::Result<[f64; 2]> {
+        Ok([self.number()?, self.number()?])
+    }
+
+    fn number(&mut self) -> io::Result<f64> {
         let mut bytes = [0; 8];
-        let mut next = || {
-            self.input.read_exact(&mut bytes)?;
-            Ok::<_, io::Error>(f64::from_le_bytes(bytes))
-        };
-        Ok([next()?, next()?])
+        self.input.read_exact(&mut bytes)?;
+        Ok(f64::from_le_bytes(bytes))
     }
 
     fn whole(&mut self) -> io::Result<u32> {

@@ -4,10 +4,11 @@
 
 use super::columns::{ColumnNames, Columns, not_found};
 use super::csv_records::CsvRecords;
+use super::heights::Heights;
 use super::records::Records;
 use super::separator::{self, Separator};
 use super::text_records::TextRecords;
-use super::{Flaw, Place, PointList, Problem, coordinate, is_number};
+use super::{Flaw, Place, PointList, Problem, Wanted, coordinate, is_number};
 use crate::input::Source;
 use curvecrust::DVec2;
 
@@ -15,13 +16,13 @@ use curvecrust::DVec2;
 pub(super) fn read(
     mut source: Source,
     default: Separator,
-    names: Option<&ColumnNames>,
+    wanted: &Wanted,
 ) -> Result<PointList, Flaw> {
-    let found = separator::find(&mut source, names)?;
+    let found = separator::find(&mut source, wanted.columns.as_ref())?;
     let input = source.into_reader();
     match found.unwrap_or(default) {
-        Separator::Byte(byte) => Table::read(CsvRecords::new(input, byte), names),
-        Separator::WhiteSpace => Table::read(TextRecords::new(input), names),
+        Separator::Byte(byte) => Table::read(CsvRecords::new(input, byte), wanted),
+        Separator::WhiteSpace => Table::read(TextRecords::new(input), wanted),
     }
 }
 
@@ -37,28 +38,34 @@ struct Table<R> {
     columns: Columns,
     /// The number of columns.
     width: usize,
-    list: PointList,
+    points: Vec<DVec2>,
+    heights: Heights,
+    notes: Vec<String>,
 }
 
 impl<R: Records> Table<R> {
-    fn read(mut records: R, names: Option<&ColumnNames>) -> Result<PointList, Flaw> {
+    fn read(mut records: R, wanted: &Wanted) -> Result<PointList, Flaw> {
         if !records.advance()? {
             return Ok(PointList::default());
         }
         let mut table = Self {
             records,
-            columns: Columns::FIRST,
+            columns: Columns::first(0),
             width: 0,
-            list: PointList::default(),
+            points: Vec::new(),
+            heights: Heights::new(wanted),
+            notes: Vec::new(),
         };
-        table.start(names)?;
+        table.start(wanted.columns.as_ref())?;
         while table.records.advance()? {
             if table.records.len() != table.width {
                 return Err(table.records.ragged(table.width));
             }
             table.take_point()?;
         }
-        Ok(table.list)
+        let mut list = PointList::new(table.points, table.heights);
+        list.notes.splice(..0, table.notes);
+        Ok(list)
     }
 
     /// Takes the title, the header and, without a header, the first point.
@@ -84,7 +91,7 @@ impl<R: Records> Table<R> {
             return Err(refusal);
         }
         let note = format!("line {line} is taken for a title");
-        self.list.notes.push(note);
+        self.notes.push(note);
         self.start_with(second)
     }
 
@@ -92,14 +99,17 @@ impl<R: Records> Table<R> {
         self.width = self.records.len();
         if let Kind::Header(columns) = kind {
             self.columns = columns;
-            self.list.notes.extend(columns.note(&self.records));
+            let note = columns.note(&self.records, self.heights.are_wanted());
+            self.notes.extend(note);
             return Ok(());
         }
+        self.columns = Columns::first(self.width);
         match self.width {
             0..=2 => {}
+            3 if self.heights.are_wanted() => {}
             3 => {
                 let note = "of three columns without names, the third is left out";
-                self.list.notes.push(note.to_owned());
+                self.notes.push(note.to_owned());
             }
             found => {
                 return Err(Problem::Unnamed { found }.at(Place::Line(self.records.line())));
@@ -115,7 +125,16 @@ impl<R: Records> Table<R> {
                 .map_err(|problem| problem.at(records.place(column)))
         };
         let point = DVec2::new(value(self.columns.x)?, value(self.columns.y)?);
-        self.list.points.push(point);
+        self.points.push(point);
+        if self.heights.are_wanted() {
+            let (column, commas) = (self.columns.z, records.has_decimal_commas());
+            let place = column.map_or(Place::Line(records.line()), |column| records.place(column));
+            let height = self
+                .heights
+                .of_word(column.map(|column| records.field(column)), commas);
+            let taken = height.and_then(|height| self.heights.take(height));
+            taken.map_err(|problem| problem.at(place))?;
+        }
         Ok(())
     }
 

@@ -16,7 +16,8 @@ pub(super) fn is_number(token: &[u8], has_decimal_commas: bool) -> bool {
     number(token, has_decimal_commas).is_some()
 }
 
-fn number(token: &[u8], has_decimal_commas: bool) -> Option<f64> {
+/// The number of a token, which may have a comma in front of its decimals.
+pub(super) fn number(token: &[u8], has_decimal_commas: bool) -> Option<f64> {
     let text = str::from_utf8(token).ok()?;
     let number = text.parse().ok();
     // With a point as well, a comma would separate thousands.

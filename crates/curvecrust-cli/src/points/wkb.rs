@@ -5,7 +5,7 @@
 //! where points inside of others carry a reference system. This reader knows the order of bytes,
 //! the type and the dimension of every geometry by itself, and holds nothing but its place.
 
-use super::gathered::Gathered;
+use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
 
@@ -137,14 +137,13 @@ impl Bytes<'_> {
     }
 
     fn point(&mut self, found: &mut Gathered, dimension: Dimension) -> Result<(), Flaw> {
-        let [x, y] = self.position(found, dimension)?;
+        let vertex = self.position(found, dimension)?;
         // A point that is empty has no numbers.
-        if x.is_nan() && y.is_nan() {
+        if vertex.0.iter().all(|number| number.is_nan()) {
             return Ok(());
         }
-        found.height(dimension.height);
         found.measure(dimension.measure);
-        found.point(x, y)
+        found.point(vertex)
     }
 
     fn line(&mut self, found: &mut Gathered, dimension: Dimension) -> Result<(), Flaw> {
@@ -153,17 +152,17 @@ impl Bytes<'_> {
         for _ in 0..count {
             vertices.push(self.position(found, dimension)?);
         }
-        found.height(dimension.height && count > 0);
         found.measure(dimension.measure && count > 0);
         found.line(vertices.into_iter().map(Ok))
     }
 
-    fn position(&mut self, found: &Gathered, dimension: Dimension) -> Result<[f64; 2], Flaw> {
-        let [x, y] = [self.number(found)?, self.number(found)?];
-        for _ in 0..u8::from(dimension.height) + u8::from(dimension.measure) {
+    fn position(&mut self, found: &Gathered, dimension: Dimension) -> Result<Vertex, Flaw> {
+        let place = [self.number(found)?, self.number(found)?];
+        let height = dimension.height.then(|| self.number(found)).transpose()?;
+        if dimension.measure {
             self.number(found)?;
         }
-        Ok([x, y])
+        Ok((place, height))
     }
 
     fn whole(&mut self, found: &Gathered) -> Result<u32, Flaw> {

@@ -1,7 +1,7 @@
 //! Well-known text, by the crate of that name: the points of all geometries, one after the other in
-//! the text, without their heights; the vertices of lines and polygons on request.
+//! the text; the vertices of lines and polygons on request.
 
-use super::gathered::Gathered;
+use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
 use std::str::FromStr;
@@ -113,13 +113,15 @@ fn take_lines(found: &mut Gathered, geometry: &Wkt<f64>) -> Result<(), Flaw> {
 
 fn take_line(found: &mut Gathered, line: &LineString<f64>) -> Result<(), Flaw> {
     let coords = line.coords();
-    found.height(coords.iter().any(|coord| coord.z.is_some()));
     found.measure(coords.iter().any(|coord| coord.m.is_some()));
-    found.line(coords.iter().map(|coord| Ok([coord.x, coord.y])))
+    found.line(coords.iter().map(|coord| Ok(vertex(coord))))
 }
 
 fn take(found: &mut Gathered, coord: &Coord<f64>) -> Result<(), Flaw> {
-    found.height(coord.z.is_some());
     found.measure(coord.m.is_some());
-    found.point(coord.x, coord.y)
+    found.point(vertex(coord))
+}
+
+fn vertex(coord: &Coord<f64>) -> Vertex {
+    ([coord.x, coord.y], coord.z)
 }

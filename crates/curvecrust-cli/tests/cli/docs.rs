@@ -79,6 +79,7 @@ fn every_other_bad_input_has_a_test() {
         include_str!("content.rs"),
         include_str!("files.rs"),
         include_str!("tiles.rs"),
+        include_str!("kept.rs"),
     ]
     .concat();
     let rows = rows(
@@ -99,11 +100,12 @@ fn objects_have_the_documented_keys() {
     folder
         .run(&format!("sample {curve} --rho 0.9 -o s.csv"))
         .fine();
+    folder.write("z.csv", "x,y,z\n0,0,1\n4,0,2\n2,3,3\n");
     for (command, line) in [
-        // What is known has a key only if something is.
+        // What is known has a key only if something is, and heights only if they are kept.
         (
             "reconstruct",
-            String::from("reconstruct s.csv --closed --curves 1"),
+            String::from("reconstruct z.csv --closed --curves 1 --keep z"),
         ),
         ("sample", format!("sample {curve} --rho 0.9")),
         ("check", format!("check {curve} s.csv --rho 0.9")),

@@ -126,12 +126,13 @@ fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
     );
     assert_eq!(
         error("out.xyz"),
-        "error: the name out.xyz has no known ending: give --to csv, json, geojson, wkt, wkb, gpx, dxf, svg or \
-         npy"
+        "error: the name out.xyz has no known ending: give --to csv, json, geojson, wkt, wkb, gpx, \
+         flatgeobuf, parquet, dxf, svg or npy"
     );
     assert_eq!(
         error("out.xy"),
-        "error: this cannot be written as text: use csv, json, geojson, wkt, wkb, gpx, dxf, svg or npy"
+        "error: this cannot be written as text: use csv, json, geojson, wkt, wkb, gpx, flatgeobuf, \
+         parquet, dxf, svg or npy"
     );
     assert_eq!(folder.names(), ["p.xy"]);
 }

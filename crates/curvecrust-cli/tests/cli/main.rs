@@ -22,6 +22,7 @@ mod formats;
 #[cfg(feature = "wkb")]
 mod geometries;
 mod harness;
+mod kept;
 #[cfg(target_os = "linux")]
 mod memory;
 #[cfg(feature = "ply")]

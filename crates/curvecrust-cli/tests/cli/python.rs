@@ -1,5 +1,7 @@
-//! Results read by the readers that people have: numpy, shapely and ezdxf, where they are
-//! installed; and points that numpy, shapely, pyarrow, pyshp, geopandas and laspy wrote.
+//! Results read by the readers that people have: numpy, shapely, geopandas and ezdxf, where they
+//! are installed; and points that numpy, shapely, pyarrow, pyshp, geopandas and laspy wrote.
+//!
+//! `PYTHON` names an interpreter that has them; without it, it is `python3`.
 
 use crate::harness::{Folder, json};
 use std::process::Command;
@@ -7,15 +9,17 @@ use std::process::Command;
 /// Runs a program after it has imported a module; `None`, and a line that says so, without the
 /// module.
 fn python(folder: &Folder, module: &str, program: &str) -> Option<String> {
+    let interpreter = std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
     let run = |program: &str| {
-        let mut command = Command::new("python3");
+        let mut command = Command::new(&interpreter);
         command
             .current_dir(folder.path())
             .args(["-c", program])
             .output()
     };
     if !run(&format!("import {module}")).is_ok_and(|found| found.status.success()) {
-        eprintln!("skipped: there is no python3 with {module}");
+        let name = interpreter.to_string_lossy();
+        eprintln!("skipped: there is no {name} with {module}");
         return None;
     }
     let output = run(program).unwrap();
@@ -90,6 +94,33 @@ fn shapely_finds_geojson_wkt_and_wkb_valid() {
 }
 
 #[test]
+fn geopandas_finds_the_same_in_flatgeobuf_and_geoparquet() {
+    let folder = varied();
+    for name in ["out.geojson", "out.fgb", "out.parquet"] {
+        folder.run(&format!("reconstruct p.xy -o {name}")).fine();
+    }
+    folder.write("z.csv", "x,y,z\n0,0,1\n2,0,2\n2,2,3\n0,2,4.5\n");
+    folder.run("reconstruct z.csv --keep z -o z.fgb").fine();
+    folder.run("reconstruct z.csv --keep z -o z.parquet").fine();
+    let program = "import geopandas as gpd\n\
+                   text = gpd.read_file('out.geojson')\n\
+                   flat, rows = gpd.read_file('out.fgb'), gpd.read_parquet('out.parquet')\n\
+                   for found in [flat, rows]:\n    \
+                   assert list(found.geometry) == list(text.geometry), found\n    \
+                   assert found.crs is None and found.is_valid.all()\n    \
+                   assert list(found.kind) == ['ring', 'open', 'isolated']\n    \
+                   assert list(found.nesting.isna()) == [False, True, True]\n\
+                   z = gpd.read_file('z.fgb').geometry[0], gpd.read_parquet('z.parquet').geometry[0]\n\
+                   assert z[0] == z[1] and z[0].has_z\n\
+                   print(list(z[0].exterior.coords))";
+    if let Some(printed) = python(&folder, "geopandas", program) {
+        let expected = "[(0.0, 0.0, 1.0), (2.0, 0.0, 2.0), (2.0, 2.0, 3.0), (0.0, 2.0, 4.5), \
+                        (0.0, 0.0, 1.0)]\n";
+        assert_eq!(printed, expected);
+    }
+}
+
+#[test]
 fn ezdxf_finds_every_polyline_and_nothing_to_mend() {
     let folder = varied();
     folder.run("reconstruct p.xy -o out.dxf").fine();
@@ -151,6 +182,66 @@ const WRITERS: &[(&str, &str, &str)] = &[
          l = laspy.LasData(h); l.x, l.y, l.z = x, y, x; l.write('p.las')",
     ),
 ];
+
+/// The same with heights, which are 1, 2 and 3.
+const WRITERS_OF_HEIGHTS: &[(&str, &str, &str)] = &[
+    (
+        "numpy",
+        "z.npz",
+        "import numpy as np; np.savez('z.npz', x=x, y=y, height=[1., 2, 3])",
+    ),
+    (
+        "numpy",
+        "z.npy",
+        "import numpy as np; np.save('z.npy', np.c_[x, y, [1, 2, 3]])",
+    ),
+    (
+        "pyarrow",
+        "z.parquet",
+        "import pyarrow as pa, pyarrow.parquet as pq\n\
+         pq.write_table(pa.table({'ele': [1, 2, 3], 'x': x, 'y': y}), 'z.parquet')",
+    ),
+    (
+        "shapefile",
+        "z.shp",
+        "import shapefile\n\
+         with shapefile.Writer('z.shp', shapefile.MULTIPOINTZ) as w:\n    \
+         w.field('n'); w.multipointz([(*a, i + 1) for i, a in enumerate(p)]); w.record(1)",
+    ),
+    (
+        "shapefile",
+        "line.shp",
+        "import shapefile\n\
+         with shapefile.Writer('line.shp', shapefile.POLYLINEZ) as w:\n    \
+         w.field('n'); w.linez([[(*a, i + 1) for i, a in enumerate(p)]]); w.record(1)",
+    ),
+    (
+        "laspy",
+        "z.las",
+        "import laspy\n\
+         h = laspy.LasHeader(point_format=6, version='1.4'); h.scales = [0.5] * 3\n\
+         l = laspy.LasData(h); l.x, l.y, l.z = x, y, [1, 2, 3]; l.write('z.las')",
+    ),
+];
+
+#[test]
+fn heights_of_other_writers_are_read() {
+    let folder = Folder::new();
+    let points = "p = [(1.5, -2.0), (3.0, 4.0), (5.0, 4.5)]\nx, y = map(list, zip(*p))\n";
+    for (module, name, program) in WRITERS_OF_HEIGHTS {
+        if python(&folder, module, &format!("{points}{program}")).is_none() {
+            continue;
+        }
+        let vertices = if *name == "line.shp" {
+            "--vertices"
+        } else {
+            ""
+        };
+        let line = format!("reconstruct {name} --keep z --json {vertices}");
+        let found = json(&folder.run(&line).fine());
+        assert_eq!(found["z"], serde_json::json!([1.0, 2.0, 3.0]), "{name}");
+    }
+}
 
 #[test]
 fn points_of_other_writers_are_read() {

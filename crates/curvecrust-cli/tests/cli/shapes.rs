@@ -25,6 +25,12 @@ fn shapefile(records: &[Vec<u8>]) -> Vec<u8> {
     bytes
 }
 
+/// A file of points.
+pub(crate) fn of_points(points: &[[f64; 2]]) -> Vec<u8> {
+    let records = points.iter().map(|point| little(&[1], point));
+    shapefile(&records.collect::<Vec<_>>())
+}
+
 /// Parts of a polygon or a line, without a box.
 fn parts(kind: u32, starts: &[u32], vertices: &[f64]) -> Vec<u8> {
     let count = u32::try_from(vertices.len() / 2).unwrap();

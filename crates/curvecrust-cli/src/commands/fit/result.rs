@@ -2,7 +2,7 @@
 
 use super::BarePoints;
 use crate::commands::reconstruct::polygons::{Ring, first_columns, rings};
-use crate::output::{Feature, Number, Places, Shape, Streamed};
+use crate::output::{Attribute, Attributes, Feature, Kind, Number, Places, Shape, Streamed};
 use curvecrust::denoise::{Fitted, FittedCurve};
 use curvecrust::geometry::{Edge, EdgeSet, MergedPoints, PointId, PointSet};
 use curvecrust::reconstruct::{NestedChain, Reconstruction};
@@ -153,6 +153,22 @@ pub(super) struct Properties {
     nesting: Option<u32>,
     /// The root mean square of the deviation of the points.
     sigma: f64,
+}
+
+impl Attributes for Properties {
+    const COLUMNS: &'static [(&'static str, Kind)] = &[
+        ("kind", Kind::Word),
+        ("nesting", Kind::Whole),
+        ("sigma", Kind::Real),
+    ];
+
+    fn values(&self) -> Vec<Attribute> {
+        vec![
+            Attribute::Word(self.kind),
+            Attribute::Whole(self.nesting),
+            Attribute::Real(self.sigma),
+        ]
+    }
 }
 
 impl Lines {

@@ -3,7 +3,7 @@
 use super::BarePoints;
 use super::polygons::{Ring, first_columns, rings};
 use super::why;
-use crate::output::{Feature, Number, Path, Places, Shape, Streamed};
+use crate::output::{Attribute, Attributes, Feature, Kind, Number, Path, Places, Shape, Streamed};
 use curvecrust::geometry::{Chain, PointId, PointSet};
 use curvecrust::reconstruct::{
     Explanation, Known, NestedChain, Reconstruction, Shape as KnownShape,
@@ -102,6 +102,9 @@ impl Serialize for Found<'_> {
         }
         let points = Streamed(|| self.bare.rows().map(|p| p.to_array()));
         object.serialize_entry("points", &points)?;
+        if let Some(heights) = self.bare.heights() {
+            object.serialize_entry("z", heights)?;
+        }
         object.serialize_entry("edges", &Streamed(edges))?;
         object.serialize_entry("rings", &Streamed(rings))?;
         object.serialize_entry("open_chains", &Streamed(open))?;
@@ -117,11 +120,21 @@ impl Serialize for Found<'_> {
     }
 }
 
+impl Attributes for Properties<'_> {
+    const COLUMNS: &'static [(&'static str, Kind)] =
+        &[("kind", Kind::Word), ("nesting", Kind::Whole)];
+
+    fn values(&self) -> Vec<Attribute> {
+        vec![Attribute::Word(self.kind), Attribute::Whole(self.nesting)]
+    }
+}
+
 impl Found<'_> {
     /// One line a point, chain by chain in order; a point where chains meet has one in each. Points
     /// without an edge come last, without a chain.
     pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        writeln!(out, "chain,kind,nesting,point,x,y")?;
+        let z = self.bare.heights().map_or("", |_| ",z");
+        writeln!(out, "chain,kind,nesting,point,x,y{z}")?;
         for (number, chain) in self.curves.chains().iter().enumerate() {
             let start = first_columns(number, chain);
             for &vertex in chain.chain.vertices() {
@@ -136,20 +149,26 @@ impl Found<'_> {
 
     fn write_row(&self, out: &mut dyn Write, start: &str, vertex: PointId) -> io::Result<()> {
         let (row, p) = (self.bare.row(vertex), self.bare.points[vertex]);
-        writeln!(out, "{start},{row},{},{}", Number(p.x), Number(p.y))
+        write!(out, "{start},{row},{},{}", Number(p.x), Number(p.y))?;
+        match self.bare.height(vertex) {
+            Some(z) => writeln!(out, ",{}", Number(z)),
+            None => writeln!(out),
+        }
     }
 
-    /// Rings as polygons with holes, then open chains, then points without an edge.
+    /// Rings as polygons with holes, then open chains, then points without an edge; at the heights
+    /// of all points, if those are kept.
     pub(super) fn features<'a>(
         &'a self,
         rings: &'a [Ring],
+        heights: Option<&'a [f64]>,
     ) -> impl Iterator<Item = Feature<'a, Properties<'a>>> {
         let polygons = rings.chunk_by(|a, b| a.outside == b.outside);
-        let polygons = polygons.map(|rings| self.polygon(rings));
-        let lines = self.open().map(|chain| {
+        let polygons = polygons.map(move |rings| self.polygon(rings, heights));
+        let lines = self.open().map(move |chain| {
             let ids = chain.chain.vertices();
             Feature {
-                shape: Shape::Line(self.places(ids)),
+                shape: Shape::Line(self.places(ids).at_heights(heights)),
                 properties: Properties {
                     kind: "open",
                     nesting: None,
@@ -159,7 +178,7 @@ impl Found<'_> {
         });
         let isolated = self.curves.isolated();
         let points = (!isolated.is_empty()).then(|| Feature {
-            shape: Shape::Points(self.places(isolated.clone())),
+            shape: Shape::Points(self.places(isolated.clone()).at_heights(heights)),
             properties: Properties {
                 kind: "isolated",
                 nesting: None,
@@ -175,12 +194,20 @@ impl Found<'_> {
     }
 
     /// A polygon of its outside and its holes.
-    fn polygon(&self, rings: &[Ring]) -> Feature<'_, Properties<'_>> {
+    fn polygon<'a>(
+        &'a self,
+        rings: &[Ring],
+        heights: Option<&'a [f64]>,
+    ) -> Feature<'a, Properties<'a>> {
         let chains = self.curves.chains();
         let nesting = rings.first().and_then(|ring| chains[ring.outside].nesting);
         let rings = || rings.iter().map(|ring| ring.vertices(&self.curves));
         Feature {
-            shape: Shape::Polygon(rings().map(|ids| self.places(ids)).collect()),
+            shape: Shape::Polygon(
+                rings()
+                    .map(|ids| self.places(ids).at_heights(heights))
+                    .collect(),
+            ),
             properties: Properties {
                 kind: "ring",
                 nesting,

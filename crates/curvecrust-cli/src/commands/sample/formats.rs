@@ -1,6 +1,6 @@
 //! Samples in the formats of tables and features.
 
-use crate::output::{Feature, Number, Places, Shape};
+use crate::output::{Attribute, Attributes, Feature, Kind, Number, Places, Shape};
 use curvecrust::DVec2;
 use curvecrust::sampling::SampledCurve;
 use serde::Serialize;
@@ -9,7 +9,15 @@ use std::io::{self, Write};
 /// The properties of the samples of a component in GeoJSON.
 #[derive(Serialize)]
 pub(super) struct Properties {
-    curve: usize,
+    curve: u32,
+}
+
+impl Attributes for Properties {
+    const COLUMNS: &'static [(&'static str, Kind)] = &[("curve", Kind::Whole)];
+
+    fn values(&self) -> Vec<Attribute> {
+        vec![Attribute::Whole(Some(self.curve))]
+    }
 }
 
 /// The samples of every component, in order along it.
@@ -34,7 +42,7 @@ pub(super) fn write_text(out: &mut dyn Write, samples: &SampledCurve) -> io::Res
 }
 
 pub(super) fn features(samples: &SampledCurve) -> impl Iterator<Item = Feature<'_, Properties>> {
-    parts(samples).enumerate().map(|(curve, part)| Feature {
+    (0..).zip(parts(samples)).map(|(curve, part)| Feature {
         shape: Shape::Points(Places::all(part)),
         properties: Properties { curve },
     })

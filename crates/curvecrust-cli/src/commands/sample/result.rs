@@ -62,7 +62,7 @@ pub(super) fn write(output: &Output, curve: &Curve, sampled: &Sampled) -> anyhow
             let layers = vec![Layer::Points(samples.points())];
             output.write(|out| Picture { layers }.write(out))
         }
-        _ => output.write_features(features(samples)),
+        _ => output.write_features(features(samples), None),
     }
 }
 
