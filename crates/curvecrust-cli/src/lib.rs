@@ -80,19 +80,27 @@ fn run(cli: Cli, console: &Console) -> anyhow::Result<Outcome> {
     job.run(console)
 }
 
-/// The number of points in a file of the format with this extension, or the message about it. Fuzz
-/// targets call the readers by it.
+/// The number of points in a file of the format with this extension, or the message about it; by
+/// `everything` also the vertices of lines and polygons, all with their heights. Fuzz targets call
+/// the readers by it.
 #[doc(hidden)]
-pub fn count_points(bytes: Vec<u8>, extension: &str) -> Result<usize, String> {
+pub fn count_points(bytes: Vec<u8>, extension: &str, everything: bool) -> Result<usize, String> {
     let path = Path::new("fuzzed").with_extension(extension);
     let list = Source::new(io::Cursor::new(bytes))
         .map_err(Flaw::from)
         .and_then(|source| {
             let named = Format::of_content_named(&path);
-            points::read_source(source, None, named, &points::Wanted::default())
+            let wanted = points::Wanted {
+                columns: None,
+                vertices: everything,
+                heights: everything,
+            };
+            points::read_source(source, None, named, &wanted)
         });
     match list {
-        Ok(list) => Ok(list.points.len()),
+        Ok(list) => Ok(list
+            .heights
+            .map_or(list.points.len(), |heights| heights.len())),
         Err(flaw) => {
             let error = PointsError::new(path.display().to_string(), flaw);
             Err(console::printable(&error.to_string()))

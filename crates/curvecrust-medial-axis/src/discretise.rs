@@ -206,7 +206,10 @@ fn refine(
     ratio: f64,
     progress: Progress<'_>,
 ) -> Result<MeasuredCurve, MedialAxisError> {
-    let (axis, dense) = refine_axis(curve, ratio, progress)?;
+    let (axis, coarse) = refine_axis(curve, ratio, progress)?;
+    // What lfs was found to be decides at once on most of the points.
+    let parts = pieces(&parts(curve, coarse.dense(), coarse.lfs(), ratio));
+    let dense = coarse.dense().refined(curve, &parts)?;
     settle(curve, dense, ratio, progress, |dense| {
         Ok(LocalFeatureSize::new(dense, &axis))
     })
@@ -233,28 +236,28 @@ pub(crate) fn settle(
 }
 
 /// The medial axis, precise enough for points whose gaps are `ratio` of lfs, and the points that it
-/// is of.
+/// is of, with an lfs that takes no account yet of the centres of curvature at joins.
 pub(crate) fn refine_axis(
     curve: &Curve,
     ratio: f64,
     progress: Progress<'_>,
-) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
+) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
     if !(ratio > 0.0 && ratio <= 1.0) {
         return Err(MedialAxisError::GapToLfs(ratio));
     }
     let coarse = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
     let report = |parts: &[f64]| report(progress, parts, coarse / ratio);
-    let (mut axis, dense) = coarse_axis(curve, coarse, &report)?;
-    axis.extend(curvature::centres_at_joins(curve, &dense, coarse));
-    Ok((axis, dense))
+    let (mut axis, measured) = coarse_axis(curve, coarse, &report)?;
+    axis.extend(curvature::centres_at_joins(curve, measured.dense(), coarse));
+    Ok((axis, measured))
 }
 
-/// The medial axis of points at most `ratio` of their lfs apart, and these.
+/// The medial axis of points at most `ratio` of their lfs apart, and these with their lfs.
 fn coarse_axis(
     curve: &Curve,
     ratio: f64,
     report: &dyn Fn(&[f64]),
-) -> Result<(MedialAxis, DenseCurve), MedialAxisError> {
+) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = start(curve)?;
     let mut round = 0;
@@ -283,7 +286,7 @@ fn coarse_axis(
             pieces[gap] = pieces[gap].max(2);
         }
         if pieces.iter().all(|&n| n == 1) {
-            return Ok((axis, dense));
+            return Ok((axis, MeasuredCurve::from_parts(dense, lfs)));
         }
         dense = dense.refined(curve, &pieces)?;
         round += 1;

@@ -101,9 +101,7 @@ pub fn measure_pieces_with(
     let mut parts = Vec::with_capacity(total);
     for (pieces, curve) in smooth {
         progress.report(parts.len(), total);
-        let (axis, dense) = refine_axis(&curve, gap_to_lfs, Progress::default())?;
-        let lfs = LocalFeatureSize::new(&dense, &axis);
-        let measured = MeasuredCurve::from_parts(dense, lfs);
+        let (axis, measured) = refine_axis(&curve, gap_to_lfs, Progress::default())?;
         parts.push(Part {
             pieces,
             curve,
