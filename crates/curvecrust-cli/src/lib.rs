@@ -94,6 +94,7 @@ pub fn count_points(bytes: Vec<u8>, extension: &str, everything: bool) -> Result
                 columns: None,
                 vertices: everything,
                 heights: everything,
+                termini: everything,
             };
             points::read_source(source, None, named, &wanted)
         });

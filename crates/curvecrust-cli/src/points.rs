@@ -104,6 +104,8 @@ pub(crate) struct Wanted {
     pub(crate) vertices: bool,
     /// Whether heights are kept, which every point must have then.
     pub(crate) heights: bool,
+    /// Whether, of points that are marked so, those are wanted alone that are ends of curves.
+    pub(crate) termini: bool,
 }
 
 /// Reads points, of which there must be at least one.

@@ -55,6 +55,30 @@ impl SampledCurve {
         &self.closing_intervals
     }
 
+    /// The samples at the ends of open components, ascending: the theorems are for closed curves,
+    /// and an algorithm that is told these ends need not look for partners there.
+    ///
+    /// ```
+    /// use curvecrust_curve::Curve;
+    /// use curvecrust_sampling::{Condition, sample_curve};
+    ///
+    /// let arch = Curve::from_path_data("M 0 0 C 0 4 6 4 6 0")?;
+    /// let samples = sample_curve(&arch, Condition::rho(0.9)?)?.samples;
+    /// assert_eq!(samples.termini(), [0, samples.len() - 1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn termini(&self) -> Vec<usize> {
+        let open = self
+            .components
+            .iter()
+            .filter(|c| !c.closed && !c.is_empty());
+        let ends = open.flat_map(|c| [c.range.start, c.range.end - 1]);
+        let mut termini: Vec<usize> = ends.collect();
+        termini.dedup();
+        termini
+    }
+
     /// The number of samples.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -2,6 +2,7 @@
 
 use curvecrust::reconstruct::Shape;
 use std::num::NonZeroU32;
+use std::path::PathBuf;
 
 /// What the user knows about the curves.
 #[derive(Debug, clap::Args)]
@@ -18,6 +19,10 @@ pub(crate) struct Known {
     /// The point at this position of the input, counted from 0, is the end of an open curve
     #[arg(long, value_name = "N")]
     pub(crate) terminus: Vec<u32>,
+    /// The points of this file are ends of open curves: those that its column `terminus` marks, as
+    /// `sample` writes it, or all
+    #[arg(long, value_name = "FILE")]
+    pub(crate) termini_from: Option<PathBuf>,
 }
 
 impl Known {

@@ -12,7 +12,7 @@ pub(crate) struct Tiles {
         long,
         value_name = "FOLDER",
         conflicts_with_all = [
-            "json", "closed", "open", "curves", "terminus", "merge_duplicates", "merge_within",
+            "json", "closed", "open", "curves", "terminus", "termini_from", "merge_duplicates", "merge_within",
             "x", "vertices", "keep",
         ]
     )]

@@ -9,6 +9,7 @@ use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::geometry::{MergedPoints, PointId, PointSet, PointSetError};
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 /// A file of points, and how it is read.
@@ -83,6 +84,7 @@ impl PointSource {
                 columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
                 vertices,
                 heights: false,
+                termini: false,
             },
             duplicates,
         }
@@ -92,6 +94,19 @@ impl PointSource {
     pub(crate) fn with_heights(mut self) -> Self {
         self.wanted.heights = true;
         self
+    }
+
+    /// A file of points some of which are marked as ends of curves: those, or all without marks.
+    pub(crate) fn of_termini(path: PathBuf) -> Self {
+        Self {
+            path,
+            format: None,
+            wanted: Wanted {
+                termini: true,
+                ..Wanted::default()
+            },
+            duplicates: Duplicates::Merge,
+        }
     }
 
     /// How messages name it.
@@ -252,6 +267,20 @@ impl BarePoints {
                 rows.map(|&row| heights[row as usize]).collect()
             }
         })
+    }
+
+    /// The points at the places of others; an error names the first that is at none.
+    pub(crate) fn points_at(&self, others: &Self) -> anyhow::Result<Vec<PointId>> {
+        // Zero has two signs.
+        let key = |p: DVec2| (p + DVec2::ZERO).to_array().map(f64::to_bits);
+        let rows = self.rows().zip(self.points_of_rows());
+        let places: HashMap<[u64; 2], PointId> = rows.map(|(p, id)| (key(p), id)).collect();
+        let found = others.rows().map(|p| {
+            let point = places.get(&key(p)).copied();
+            point
+                .with_context(|| format!("there is no point at ({}, {})", Number(p.x), Number(p.y)))
+        });
+        found.collect()
     }
 
     /// The coordinates of every row.

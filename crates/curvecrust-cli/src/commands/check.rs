@@ -25,6 +25,8 @@ struct Object {
     holds: Option<bool>,
     /// Whether it is certain to hold between dense points too.
     certain: Option<bool>,
+    /// The samples at the ends of open curves, by their position in the input.
+    termini: Vec<u32>,
     violations: Vec<Violation>,
 }
 
@@ -85,6 +87,14 @@ impl Job {
                 Number(first.y)
             ));
         }
+        let open = split.components().iter().filter(|c| !c.closed).count();
+        if open > 0 {
+            let are = if open == 1 { "curve is" } else { "curves are" };
+            console.note(format_args!(
+                "{}: {open} {are} open, which no theorem covers",
+                self.curve.name()
+            ));
+        }
         let object = object(&strokes, &placed, condition, &bare);
         if self.json {
             output::print_json(&object)?;
@@ -121,6 +131,10 @@ fn object(
         effective_rho: rho.as_ref().map(value),
         holds: verdict.as_ref().map(Verdict::holds),
         certain: verdict.as_ref().map(|verdict| verdict.certain),
+        termini: termini(strokes, placed)
+            .into_iter()
+            .filter_map(row)
+            .collect(),
         violations: violations
             .map(|found| Violation {
                 component: stroke(found.interval.component),
@@ -134,6 +148,23 @@ fn object(
             })
             .collect(),
     }
+}
+
+/// The samples at the ends of strokes that are open.
+fn termini(strokes: &MeasuredStrokes, placed: &OnPieces) -> Vec<usize> {
+    let pieces = placed.measured.dense().components();
+    let open = strokes.split.components().iter().filter(|c| !c.closed);
+    let ends = open.flat_map(|stroke| {
+        let first = pieces.get(stroke.range.start).map(|c| c.range.start);
+        let last = pieces.get(stroke.range.end - 1).map(|c| c.range.end - 1);
+        [first, last].into_iter().flatten()
+    });
+    let placements = placed.samples.placements();
+    let at = |end: usize| {
+        let mut samples = placements.iter();
+        samples.position(|place| place.dense == end && place.t <= 0.0)
+    };
+    ends.filter_map(at).collect()
 }
 
 fn value(found: &Attained) -> Bounds {

@@ -13,7 +13,7 @@ use crate::args::{self, Algorithm, Keep};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Results, npy};
-use anyhow::bail;
+use anyhow::{Context, bail};
 use curvecrust::geometry::{EdgeSet, PointSet};
 use curvecrust::reconstruct::{
     Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor,
@@ -45,6 +45,8 @@ pub(crate) struct Job {
     points: PointSource,
     algorithm: Algorithm,
     known: args::Known,
+    /// A file of ends of curves.
+    termini: Option<PointSource>,
     results: Results,
 }
 
@@ -63,13 +65,20 @@ impl Job {
             results,
             points,
             algorithm: args.algorithm,
+            termini: args.known.termini_from.clone().map(PointSource::of_termini),
             known: args.known,
         })
     }
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
         let bare = self.points.read(console)?;
-        let known = known(&self.known, &bare)?;
+        let mut known = known(&self.known, &bare)?;
+        if let Some(source) = &self.termini {
+            let termini = bare.points_at(&source.read(console)?);
+            known
+                .termini
+                .extend(termini.with_context(|| source.name())?);
+        }
         // Objects alone have room for reasons, which take longer to find than the edges.
         let with_reasons = self.results.json || self.results.writes(Format::Json);
         let (edges, why) = console.during("reconstructing", |_| {

@@ -79,6 +79,7 @@ impl Job {
         }
         self.results
             .print_json(|| result::object(&curve, &sampled))?;
+        self.tell_of_ends(&sampled.sampling, console);
         let (name, bound) = name_and_bound(sampled.condition);
         let verified = if self.count == Count::Verified {
             ", fewer than the condition asks for: verified for this sample set only"
@@ -91,6 +92,23 @@ impl Job {
             sampled.ending
         ));
         Ok(Outcome::Fine)
+    }
+
+    /// Tells that ends of open curves are no matter of the theorems, and where they are written.
+    fn tell_of_ends(&self, sampling: &Sampling, console: &Console) {
+        let open = sampling.samples.components().iter().filter(|c| !c.closed);
+        let curves = match open.count() {
+            0 => return,
+            1 => "1 curve is open, which no theorem covers".to_owned(),
+            count => format!("{count} curves are open, which no theorem covers"),
+        };
+        let marks = [Format::Csv, Format::Json].map(|format| self.results.writes(format));
+        let marked = if marks.contains(&true) || self.results.json {
+            "; the ends are marked, for `reconstruct --termini-from`"
+        } else {
+            ""
+        };
+        console.note(format_args!("{}: {curves}{marked}", self.curve.name()));
     }
 
     /// Samples of all strokes together; where they touch, of what is left of them when they are cut

@@ -19,6 +19,8 @@ pub(super) struct Columns {
     pub(super) y: usize,
     /// That of the heights, if there is one.
     pub(super) z: Option<usize>,
+    /// That which marks ends of curves, if there is one.
+    pub(super) terminus: Option<usize>,
 }
 
 /// Names of columns of x and of y that belong together, in small letters.
@@ -38,6 +40,7 @@ impl Columns {
             x: 0,
             y: 1,
             z: (width == 3).then_some(2),
+            terminus: None,
         }
     }
 
@@ -50,7 +53,9 @@ impl Columns {
             let (x, y) = (x?, y?);
             let is_height = |column: &usize| *column != x && *column != y;
             let z = heights(header).find(is_height);
-            Some(Self { x, y, z })
+            let is_mark = |column: &usize| is_one_of(header.field(*column), &["terminus"]);
+            let terminus = (0..header.len()).find(is_mark);
+            Some(Self { x, y, z, terminus })
         };
         if let Some(ColumnNames { x, y }) = names {
             return Ok(pair(asked(header, x)?, asked(header, y)?));
@@ -66,7 +71,7 @@ impl Columns {
 
     /// What the user should know about the choice; `None` if it is as plain as x and y.
     pub(super) fn note(self, header: &impl Records, keeps_heights: bool) -> Option<String> {
-        let Self { x, y, z } = self;
+        let Self { x, y, z, .. } = self;
         let [x_name, y_name] = [x, y].map(|column| header.field(column));
         let mut notes = Vec::new();
         if !(x_name.eq_ignore_ascii_case(b"x") && y_name.eq_ignore_ascii_case(b"y")) {

@@ -100,6 +100,8 @@ pub(crate) enum Problem {
     TwoColumns(String),
     #[error("--x and --y name columns of tables, but this is {}", .0.name())]
     NoTable(Format),
+    #[error("`termini` names the point {index}, which is not there")]
+    NoTerminus { index: usize },
     #[error("there is no height to keep")]
     NoHeight,
     #[error("{0}")]

@@ -19,6 +19,7 @@ struct Object {
     r#type: Option<IgnoredAny>,
     points: Option<Points>,
     samples: Option<Points>,
+    termini: Option<Vec<usize>>,
 }
 
 /// An array of points.
@@ -48,10 +49,12 @@ enum Dimension {
 }
 
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+    let mut termini = None;
     let found: Points = if bytes.trim_ascii_start().starts_with(b"[") {
         parse(bytes)?
     } else {
         let object: Object = parse(bytes)?;
+        termini = object.termini.filter(|_| wanted.termini);
         match (object.r#type, object.points, object.samples) {
             (Some(_), ..) => return geojson::read(bytes, wanted),
             (None, Some(points), None) | (None, None, Some(points)) => points,
@@ -67,6 +70,13 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
         taken.map_err(|problem| problem.at(Place::Item("point", index as u64 + 1)))?;
     }
     let mut list = PointList::new(points, heights);
+    if let Some(termini) = termini {
+        let points = termini.iter().map(|&index| {
+            let point = list.points.get(index).copied();
+            point.ok_or(Problem::NoTerminus { index })
+        });
+        list.points = points.collect::<Result<_, _>>()?;
+    }
     if kind.has_degrees {
         let note = format!("x is the longitude, y the latitude: {DEGREES}");
         list.notes.push(note);

@@ -40,6 +40,8 @@ struct Table<R> {
     width: usize,
     points: Vec<DVec2>,
     heights: Heights,
+    /// Whether only points are taken that are marked as ends of curves, where marks are.
+    termini: bool,
     notes: Vec<String>,
 }
 
@@ -54,6 +56,7 @@ impl<R: Records> Table<R> {
             width: 0,
             points: Vec::new(),
             heights: Heights::new(wanted),
+            termini: wanted.termini,
             notes: Vec::new(),
         };
         table.start(wanted.columns.as_ref())?;
@@ -120,6 +123,11 @@ impl<R: Records> Table<R> {
 
     fn take_point(&mut self) -> Result<(), Flaw> {
         let records = &self.records;
+        if let Some(column) = self.columns.terminus.filter(|_| self.termini)
+            && matches!(records.field(column), b"" | b"0" | b"false")
+        {
+            return Ok(());
+        }
         let value = |column: usize| {
             coordinate(records.field(column), records.has_decimal_commas())
                 .map_err(|problem| problem.at(records.place(column)))

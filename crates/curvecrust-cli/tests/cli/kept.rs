@@ -196,6 +196,73 @@ fn a_point_without_a_height_is_named() {
     }
 }
 
+/// An open curve that nearly closes, and a ring: ends that are near each other are told.
+#[test]
+fn the_ends_of_open_curves_are_marked_and_taken() {
+    let arc = "M 3 2 A 1 1 0 1 1 2.9 1.6";
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg"><path d="{arc}"/><circle cx="9" r="1"/></svg>"#
+    );
+    let folder = Folder::with("arc.svg", svg);
+    let run = folder.run("sample arc.svg --rho 0.5 -o s.csv");
+    let says = "arc.svg: 1 curve is open, which no theorem covers; the ends are marked, for \
+                `reconstruct --termini-from`";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+    let table = folder.read("s.csv");
+    assert!(
+        table.starts_with("curve,x,y,terminus\n0,3,2,1\n"),
+        "{table}"
+    );
+    assert_eq!(table.lines().filter(|line| line.ends_with(",1")).count(), 2);
+    folder.run("sample arc.svg --rho 0.5 -o s.json").fine();
+    let termini = json(&folder.read("s.json"))["termini"].clone();
+    let count = termini.as_array().unwrap().len();
+    assert_eq!(count, 2);
+    let checked = folder.run("check arc.svg s.csv --rho 0.5 --json");
+    assert!(
+        checked.stderr.contains("1 curve is open"),
+        "{}",
+        checked.stderr
+    );
+    assert_eq!(json(&checked.fine())["termini"], termini);
+    for from in ["s.csv", "s.json"] {
+        let line = format!("reconstruct s.csv --termini-from {from} --json");
+        let found = json(&folder.run(&line).fine());
+        assert_eq!(found["known"]["termini"], termini, "{from}");
+        assert_eq!(found["leaves"], termini, "{from}");
+    }
+    // Without marks all points are ends.
+    folder.write("ends.xy", "3 2\n");
+    let found = json(
+        &folder
+            .run("reconstruct s.csv --termini-from ends.xy --json")
+            .fine(),
+    );
+    assert_eq!(found["known"]["termini"], json!([0]));
+    folder.write("ends.xy", "3 2\n7 7\n");
+    assert_eq!(
+        folder
+            .run("reconstruct s.csv --termini-from ends.xy")
+            .error(),
+        "error: ends.xy: there is no point at (7, 7)"
+    );
+    folder.write("bad.json", r#"{"points": [[1, 2]], "termini": [1]}"#);
+    assert_eq!(
+        folder
+            .run("reconstruct s.csv --termini-from bad.json")
+            .error(),
+        "error: bad.json: `termini` names the point 1, which is not there"
+    );
+    // Closed curves have none.
+    folder.write(
+        "ring.svg",
+        r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#,
+    );
+    let run = folder.run("sample ring.svg --rho 0.5");
+    assert!(!run.stderr.contains("open"), "{}", run.stderr);
+    assert!(run.fine().starts_with("curve,x,y\n"));
+}
+
 /// A line in metres, as GeoJSON had it before RFC 7946.
 const METRES: &str = r#"{"type":"FeatureCollection",
     "crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},

@@ -61,9 +61,9 @@ fn a_verdict_needs_no_reader() {
         .run(&format!("sample {curve} --rho 0.9 -o s.csv"))
         .fine();
     for (line, status) in [
-        (format!("check {curve} s.csv --rho 0.1"), 1),
-        (format!("check {curve} s.csv --rho 0.1 --json"), 1),
-        (format!("check {curve} s.csv --rho 0.9"), 0),
+        (format!("check {curve} s.csv --rho 0.1 -q"), 1),
+        (format!("check {curve} s.csv --rho 0.1 -q --json"), 1),
+        (format!("check {curve} s.csv --rho 0.9 -q"), 0),
         (format!("evaluate {curve} s.csv"), 0),
         (String::from("algorithms"), 0),
     ] {

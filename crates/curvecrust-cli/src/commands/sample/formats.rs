@@ -26,11 +26,20 @@ fn parts(samples: &SampledCurve) -> impl Iterator<Item = &[DVec2]> {
     components.map(|component| &samples.points()[component.range.clone()])
 }
 
+/// With a column that marks the ends of open curves, if there are any.
 pub(super) fn write_csv(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
-    writeln!(out, "curve,x,y")?;
+    let termini = samples.termini();
+    let header = if termini.is_empty() { "" } else { ",terminus" };
+    writeln!(out, "curve,x,y{header}")?;
+    let mut index = 0;
     for (curve, part) in parts(samples).enumerate() {
         for p in part {
-            writeln!(out, "{curve},{},{}", Number(p.x), Number(p.y))?;
+            write!(out, "{curve},{},{}", Number(p.x), Number(p.y))?;
+            if !termini.is_empty() {
+                write!(out, ",{}", u8::from(termini.binary_search(&index).is_ok()))?;
+            }
+            writeln!(out)?;
+            index += 1;
         }
     }
     Ok(())

@@ -27,6 +27,8 @@ pub(super) struct Object {
     /// The largest value that the samples attain.
     attained: Option<Bounds>,
     count: usize,
+    /// The samples at the ends of open components.
+    termini: Vec<usize>,
     /// Between the curve and the polygon of the samples.
     hausdorff: Bounds,
     /// `together`, `cut` or `apart`.
@@ -87,6 +89,7 @@ pub(super) fn object(curve: &Curve, sampled: &Sampled) -> anyhow::Result<Object>
         bound,
         max_distance: condition.hausdorff_limit(),
         count: samples.len(),
+        termini: samples.termini(),
         attained: attained.map(|attained| Bounds {
             lower: attained.bound,
             upper: attained.at_most,
