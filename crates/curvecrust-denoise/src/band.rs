@@ -23,6 +23,7 @@ const SIEVES: usize = 2;
 const FEWEST: usize = 5;
 /// How many times log n the evidence against the background must be.
 const EVIDENCE: f64 = 3.0;
+
 /// How a band is looked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Search {
@@ -30,6 +31,16 @@ pub(crate) struct Search {
     pub(crate) factor: f64,
     /// Whether points without support and those of the background are taken away.
     pub(crate) sieve: bool,
+}
+
+/// What the scale of a point is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Rule {
+    /// The smallest neighbourhood that is not round, with so many false alarms, as [`scales`] has
+    /// it.
+    Stroke { alarms: f64 },
+    /// The window holds so many of the nearest points.
+    Nearest(usize),
 }
 
 /// A point of the band.
@@ -60,7 +71,7 @@ pub(crate) fn band(all: &Windows, search: &Search) -> Vec<Member> {
             }
             alive = left.iter().map(|&i| alive[i]).collect();
             let points = alive.iter().map(|&i| all.points[i]).collect();
-            sieved = Some(Windows::new(points, all.alarms));
+            sieved = Some(Windows::new(points, all.rule));
         }
     }
     let mut members = sieved.as_ref().unwrap_or(all).members(search.factor);
@@ -81,19 +92,24 @@ pub(crate) struct Windows {
     pub(crate) points: Vec<DVec2>,
     pub(crate) tree: Tree,
     scales: Vec<Option<f64>>,
-    alarms: f64,
+    rule: Rule,
 }
 
 impl Windows {
-    /// With as many false alarms as [`scales`] is told.
-    pub(crate) fn new(points: Vec<DVec2>, alarms: f64) -> Self {
+    pub(crate) fn new(points: Vec<DVec2>, rule: Rule) -> Self {
         let tree = Tree::new(&points);
-        let scales = scales(&points, &tree, alarms);
+        let scales = match rule {
+            Rule::Stroke { alarms } => scales(&points, &tree, alarms),
+            Rule::Nearest(count) => {
+                let reach = |p: &DVec2| tree.nearest(*p).nth(count).map(|(_, d)| d.sqrt() / WINDOW);
+                points.par_iter().map(reach).collect()
+            }
+        };
         Self {
             points,
             tree,
             scales,
-            alarms,
+            rule,
         }
     }
 

@@ -34,10 +34,12 @@
 
 mod area;
 mod band;
+mod candidates;
 mod chain;
 mod clean;
 mod convert;
 mod denoise;
+mod ellipse;
 mod error;
 mod evidence;
 mod fitted;
