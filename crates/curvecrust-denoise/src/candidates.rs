@@ -17,7 +17,7 @@ use crate::spline::Guide;
 /// By how much larger the windows are than their scale asks for; the likelihood chooses.
 const FACTORS: [f64; 4] = [0.75, 1.0, 1.4, 2.0];
 /// With more points than this the scale itself is good enough.
-const MANY: usize = 20_000;
+const MANY: usize = 5_000;
 /// Windows of so many points are tried besides
 const NEAREST: [usize; 3] = [10, 20, 40];
 /// if there are at most so many points: a scale is hard to tell of few.
@@ -102,6 +102,9 @@ impl Trial<'_> {
     /// One closed curve that starts as an ellipse: a ring whose points scatter so much that no
     /// window shows a stroke still leaves a hole.
     fn ring(&self) -> Option<Candidate> {
+        if !self.may_be_a_ring() {
+            return None;
+        }
         let points = &self.all.points;
         let ellipse = Ellipse::of(points);
         let model = model(points, &[ellipse.guide()], self.sigma)?;
@@ -132,13 +135,9 @@ impl Trial<'_> {
     /// Adds the models along the chains of one search: as they are, and as one closed curve.
     fn at(&self, all: &Windows, search: Search, evidence: f64, found: &mut Vec<Candidate>) {
         let points = &all.points;
-        let members = band(all, &search);
+        let (members, in_band) = band(all, &search);
         if members.is_empty() {
             return;
-        }
-        let mut in_band = vec![false; points.len()];
-        for member in &members {
-            in_band[member.index] = true;
         }
         let places = thinned(points, &members);
         let chains = bridged(chains(&places), &places, points, &all.tree);
@@ -154,9 +153,7 @@ impl Trial<'_> {
     /// One closed chain instead of several or an open one, unless it is known to be another.
     fn as_one(&self, chains: &[Chain], places: &[Place]) -> Option<Vec<Chain>> {
         let is_one = matches!(chains, [chain] if chain.closed);
-        let is_known_other = self.options.shape == Some(Shape::Open)
-            || self.options.curves.is_some_and(|count| count.get() > 1);
-        if is_one || is_known_other || self.all.points.len() > MANY {
+        if is_one || !self.may_be_a_ring() || self.all.points.len() > MANY {
             return None;
         }
         let one = Known {
@@ -165,6 +162,12 @@ impl Trial<'_> {
             termini: Vec::new(),
         };
         through(chains, places, &one)
+    }
+
+    /// Whether one closed curve agrees with what is known.
+    fn may_be_a_ring(&self) -> bool {
+        self.options.shape != Some(Shape::Open)
+            && self.options.curves.is_none_or(|count| count.get() == 1)
     }
 
     fn add(&self, guides: &[Guide], in_band: Vec<bool>, evidence: f64, found: &mut Vec<Candidate>) {
