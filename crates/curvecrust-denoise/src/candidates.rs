@@ -22,6 +22,8 @@ const MANY: usize = 5_000;
 const NEAREST: [usize; 3] = [10, 20, 40];
 /// if there are at most so many points: a scale is hard to tell of few.
 const FEW: usize = 2_000;
+/// Of more chains than this no tour is made: they are no pieces of one curve, and it takes long.
+const PIECES: usize = 12;
 /// Of so many models of the best scores the curves are cut and joined.
 const REFINED: usize = 4;
 /// The least evidence of curves against points that form none. Such points, spread evenly, reach
@@ -30,8 +32,8 @@ const EVIDENCE: f64 = 0.5;
 /// The least evidence where none is taken away before, where windows hold the nearest points,
 /// which always look like something, and of one tour of all. Even points reach 1.05.
 const RELAXED_EVIDENCE: f64 = 2.0;
-/// The least evidence of a ring against an ellipse that is filled. Filled discs reach 0.55.
-const RING_EVIDENCE: f64 = 0.8;
+/// The least evidence of a ring against an ellipse that is filled. Points of squares reach 0.94.
+const RING_EVIDENCE: f64 = 1.0;
 /// If no curve is found: how many round neighbourhoods may pass for strokes.
 const ALARMS: [f64; 3] = [1e2, 1e4, 1e6];
 
@@ -153,7 +155,7 @@ impl Trial<'_> {
     /// One closed chain instead of several or an open one, unless it is known to be another.
     fn as_one(&self, chains: &[Chain], places: &[Place]) -> Option<Vec<Chain>> {
         let is_one = matches!(chains, [chain] if chain.closed);
-        if is_one || !self.may_be_a_ring() || self.all.points.len() > MANY {
+        if is_one || chains.len() > PIECES || !self.may_be_a_ring() {
             return None;
         }
         let one = Known {
