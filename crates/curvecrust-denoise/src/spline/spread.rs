@@ -70,7 +70,7 @@ impl Spread {
         let mut window = vec![0.0; 2 * SIDE + 1];
         let width = window.len() as f64;
         let common = self.common.ln();
-        let last = (count - 1) % STEP != 0;
+        let last = !(count - 1).is_multiple_of(STEP);
         let at = (0..count).step_by(STEP).chain(last.then_some(count - 1));
         at.map(|i| {
             for (k, value) in window.iter_mut().enumerate() {
