@@ -3,32 +3,17 @@
 use curvecrust_geometry::{PointSet, Similarity, point_set::by_coordinates};
 use curvecrust_reconstruct::{Known, LeastDetour, Reconstructor};
 
-use crate::band::{Search, Windows, band};
-use crate::chain::{as_set, bridged, chains, guide, thinned};
+use crate::band::{Rule, Windows};
+use crate::candidates::best;
+use crate::chain::as_set;
 use crate::clean;
 use crate::convert;
 use crate::error::DenoiseError;
 use crate::fitted::Fitted;
-use crate::known::agreeing;
-use crate::model::{Model, model};
 use crate::options::Options;
-use crate::refine::refined;
-use crate::spline::Guide;
 
 /// Fewer points than this are taken as clean: scatter cannot be told from a curve that bends.
 const FEWEST: usize = 16;
-/// By how much larger the windows are than their scale asks for; the likelihood chooses.
-const FACTORS: [f64; 4] = [0.75, 1.0, 1.4, 2.0];
-/// With more points than this the scale itself is good enough.
-const MANY: usize = 20_000;
-/// The least evidence of curves against points that form none. Such points, spread evenly, reach
-/// 0.4.
-const EVIDENCE: f64 = 0.5;
-/// The least evidence where none is taken away before. Even points reach 1.05.
-const RELAXED_EVIDENCE: f64 = 2.0;
-/// If no curve is found: how many round neighbourhoods may pass for strokes.
-const ALARMS: [f64; 3] = [1e2, 1e4, 1e6];
-
 /// Fits curves to points that scatter about them, among others that belong to none.
 ///
 /// Nothing has to be known. Points that are clean give the edges of
@@ -94,7 +79,7 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
         return Ok(convert::clean(points, &all, edges));
     }
     let frame = Frame::new(points);
-    let found = frame.best(options);
+    let found = best(&frame.all, frame.to_unit, options);
     let stays = match &found {
         Some((model, band)) => (is_clean || may_be_clean && frame.is_clean(band))
             .then(|| clean::on_curves(&frame.all.points, band, model)),
@@ -131,7 +116,7 @@ impl Frame {
         Self {
             to_unit,
             order,
-            all: Windows::new(points, 1.0),
+            all: Windows::new(points, Rule::Stroke { alarms: 1.0 }),
         }
     }
 
@@ -160,61 +145,4 @@ impl Frame {
         let edges = LeastDetour.reconstruct_known(&left, &options.known())?;
         Ok(convert::clean(points, &stays, edges))
     }
-
-    /// The model of the best score over several scales, and which points its band holds.
-    fn best(&self, options: &Options) -> Option<(Model, Vec<bool>)> {
-        let factors = match self.all.points.len() > MANY {
-            true => &FACTORS[1..2],
-            false => &FACTORS[..],
-        };
-        let sieved = factors.iter().map(|&factor| Search {
-            factor,
-            sieve: true,
-        });
-        let tried = sieved.filter_map(|search| at(&self.all, &search, self.to_unit, options));
-        let best = tried.max_by(|a, b| a.0.score.total_cmp(&b.0.score));
-        let relaxed = Search {
-            factor: 1.0,
-            sieve: false,
-        };
-        best.or_else(|| {
-            ALARMS.iter().find_map(|&alarms| {
-                let all = Windows::new(self.all.points.clone(), alarms);
-                at(&all, &relaxed, self.to_unit, options)
-            })
-        })
-    }
-}
-
-/// The model by one search, and which points its band holds.
-fn at(
-    all: &Windows,
-    search: &Search,
-    to_unit: Similarity,
-    options: &Options,
-) -> Option<(Model, Vec<bool>)> {
-    let points = &all.points;
-    let members = band(all, search);
-    if members.is_empty() {
-        return None;
-    }
-    let mut in_band = vec![false; points.len()];
-    for member in &members {
-        in_band[member.index] = true;
-    }
-    let places = thinned(points, &members);
-    let chains = bridged(chains(&places), &places, points, &all.tree);
-    let chains = agreeing(chains, &places, options);
-    let scale = 1.0 / to_unit.invert_length(1.0);
-    let sigma = options.sigma.map(|sigma| sigma * scale);
-    let guides: Vec<Guide> = chains.iter().map(|chain| guide(&places, chain)).collect();
-    let found = model(points, &guides, sigma)?;
-    let least = match search.sieve {
-        true => EVIDENCE,
-        false => RELAXED_EVIDENCE,
-    };
-    if found.evidence < least {
-        return None;
-    }
-    Some((refined(points, found, sigma, options), in_band))
 }

@@ -1,6 +1,6 @@
 //! Chains that agree with what is known about the curves.
 
-use curvecrust_reconstruct::{LeastDetour, Reconstructor, Shape};
+use curvecrust_reconstruct::{Known, LeastDetour, Reconstructor, Shape};
 
 use crate::chain::{Chain, Place, as_set, chains_of};
 use crate::options::Options;
@@ -23,16 +23,16 @@ pub(crate) fn agreeing(mut chains: Vec<Chain>, places: &[Place], options: &Optio
     if enough && chains.iter().all(agrees) {
         return chains;
     }
-    let mut used: Vec<usize> = chains
-        .iter()
-        .flat_map(|c| c.vertices.iter().copied())
-        .collect();
+    through(&chains, places, &options.known()).unwrap_or(chains)
+}
+
+/// The chains of least detour, told what is known, through the places of some chains; `None` if
+/// none agree.
+pub(crate) fn through(chains: &[Chain], places: &[Place], known: &Known) -> Option<Vec<Chain>> {
+    let along = chains.iter().flat_map(|c| c.vertices.iter().copied());
+    let mut used: Vec<usize> = along.collect();
     used.sort_unstable();
-    let Some(set) = as_set(used.iter().map(|&v| places[v].at)) else {
-        return chains;
-    };
-    match LeastDetour.reconstruct_known(&set.points, &options.known()) {
-        Ok(edges) => chains_of(&edges, |v| used[set.origin[v]]),
-        Err(_) => chains,
-    }
+    let set = as_set(used.iter().map(|&v| places[v].at))?;
+    let edges = LeastDetour.reconstruct_known(&set.points, known).ok()?;
+    Some(chains_of(&edges, |v| used[set.origin[v]]))
 }

@@ -28,16 +28,19 @@
 //!    deviation that may vary along the curve.
 //! 5. Curves are cut where points do not carry them and joined where they do, as long as the
 //!    likelihood, less the degrees of freedom and ends times log n, grows.
-//! 6. All this at several scales, of which the same score chooses one.
+//! 6. All this at several scales, as curves of any number and as one closed curve, and once from an
+//!    ellipse; the same score chooses.
 //! 7. Curves that explain the points no better than points spread evenly do are none.
 //! 8. If points lie on the curves of least detour as they are, they are clean: the result is that.
 
 mod area;
 mod band;
+mod candidates;
 mod chain;
 mod clean;
 mod convert;
 mod denoise;
+mod ellipse;
 mod error;
 mod evidence;
 mod fitted;

@@ -52,6 +52,7 @@ pub(crate) struct Model {
     pub(crate) nearest: Vec<Assigned>,
     /// The log-likelihood, less log n for two degrees of freedom or one end.
     pub(crate) score: f64,
+    likelihood: f64,
     /// By how many times its degrees of freedom the model explains the points better than if they
     /// were spread evenly over their hull.
     pub(crate) evidence: f64,
@@ -84,9 +85,8 @@ pub(crate) fn model(points: &[DVec2], guides: &[Guide], sigma: Option<f64>) -> O
         model = assign(points, arcs.map(|(arc, _)| arc.fit).collect())?;
     }
     let (likelihood, freedom) = (model.likelihood(area), model.freedom());
-    // What the points would have if they were spread evenly over their hull.
-    let nothing = -(points.len() as f64) * area.ln();
-    model.evidence = (likelihood - nothing) / freedom;
+    model.likelihood = likelihood;
+    model.evidence = model.evidence_against(area);
     // Half of log n for a number that is fitted; an end is found among all places of the curve.
     let log_n = (points.len() as f64).ln();
     model.score = likelihood - (0.5 * freedom + model.ends()) * log_n;
@@ -184,6 +184,7 @@ fn assign(points: &[DVec2], fits: Vec<Fit>) -> Option<Model> {
         assigned,
         nearest,
         score: f64::NEG_INFINITY,
+        likelihood: f64::NEG_INFINITY,
         evidence: 0.0,
     })
 }
@@ -287,6 +288,13 @@ impl Model {
                 }
             })
             .sum()
+    }
+
+    /// By how many times its degrees of freedom the model explains the points better than if they
+    /// were spread evenly over an area.
+    pub(crate) fn evidence_against(&self, area: f64) -> f64 {
+        let nothing = -(self.assigned.len() as f64) * area.ln();
+        (self.likelihood - nothing) / self.freedom()
     }
 
     /// The degrees of freedom of all curves. Each has a deviation and a share of the points

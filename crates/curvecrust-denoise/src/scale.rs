@@ -24,38 +24,85 @@ const ASKED: usize = 32;
 /// By how many tests a false alarm is to be divided, a point.
 const TESTS: f64 = 8.0;
 
+/// Of more points than this some stand for those about them.
+const MANY: usize = 5_000;
+/// A point stands for those within this share of its radius.
+const COVER: f64 = 0.35;
+
+/// How wide the windows about points have to be.
+pub(crate) struct Scales {
+    /// By point; `None` where neither the point nor enough of its neighbours have a scale.
+    pub(crate) radii: Vec<Option<f64>>,
+    /// The point that stands for each, which may be itself.
+    pub(crate) centres: Vec<usize>,
+}
+
+#[derive(Default)]
 struct Neighbourhood {
     members: Vec<usize>,
     radius: Option<f64>,
 }
 
-/// The radius of the scale of each point; `None` where neither the point nor enough of its
-/// neighbours have one.
+/// The scale of each point.
 ///
 /// `alarms` is the number of round neighbourhoods among all that may pass for strokes.
-pub(crate) fn scales(points: &[DVec2], tree: &Tree, alarms: f64) -> Vec<Option<f64>> {
+pub(crate) fn scales(points: &[DVec2], tree: &Tree, alarms: f64) -> Scales {
     let threshold = (alarms / (TESTS * points.len() as f64)).ln().min(-1.0);
+    let (centres, around) = match points.len() > MANY {
+        true => some(points, tree, threshold),
+        false => all(points, tree, threshold),
+    };
+    let radius = |own: &Neighbourhood| {
+        let radii = own
+            .members
+            .iter()
+            .filter_map(|&j| around[centres[j]].radius);
+        let mut radii: Vec<f64> = radii.collect();
+        let enough = (own.members.len() / 4).max(2);
+        if radii.len() >= enough {
+            Some(median(&mut radii))
+        } else {
+            own.radius
+        }
+    };
+    let own: Vec<Option<f64>> = around.par_iter().map(radius).collect();
+    Scales {
+        radii: centres.iter().map(|&c| own[c]).collect(),
+        centres,
+    }
+}
+
+/// Each point stands for itself.
+fn all(points: &[DVec2], tree: &Tree, threshold: f64) -> (Vec<usize>, Vec<Neighbourhood>) {
     let interrupt = Interrupt::current();
-    let around: Vec<Neighbourhood> = points
-        .par_iter()
-        .map(|&p| {
-            interrupt.check();
-            neighbourhood(points, tree, p, threshold)
-        })
-        .collect();
-    around
-        .par_iter()
-        .map(|own| {
-            let radii = own.members.iter().filter_map(|&j| around[j].radius);
-            let mut radii: Vec<f64> = radii.collect();
-            let enough = (own.members.len() / 4).max(2);
-            if radii.len() >= enough {
-                Some(median(&mut radii))
-            } else {
-                own.radius
-            }
-        })
-        .collect()
+    let around = points.par_iter().map(|&p| {
+        interrupt.check();
+        neighbourhood(points, tree, p, threshold)
+    });
+    ((0..points.len()).collect(), around.collect())
+}
+
+/// One point after the other stands for those about it that none stands for yet. The
+/// neighbourhoods of others are empty.
+fn some(points: &[DVec2], tree: &Tree, threshold: f64) -> (Vec<usize>, Vec<Neighbourhood>) {
+    let interrupt = Interrupt::current();
+    let mut centres: Vec<Option<usize>> = vec![None; points.len()];
+    let mut around = Vec::with_capacity(points.len());
+    for (i, &p) in points.iter().enumerate() {
+        if centres[i].is_some() {
+            around.push(Neighbourhood::default());
+            continue;
+        }
+        interrupt.check();
+        let own = neighbourhood(points, tree, p, threshold);
+        for j in own.radius.map_or(Vec::new(), |r| tree.within(p, COVER * r)) {
+            centres[j] = centres[j].or(Some(i));
+        }
+        centres[i] = Some(i);
+        around.push(own);
+    }
+    let centres = centres.into_iter().enumerate();
+    (centres.map(|(i, c)| c.unwrap_or(i)).collect(), around)
 }
 
 fn neighbourhood(points: &[DVec2], tree: &Tree, p: DVec2, threshold: f64) -> Neighbourhood {

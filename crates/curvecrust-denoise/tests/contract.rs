@@ -83,6 +83,19 @@ fn a_ring_is_found_within_its_error() {
     }
 }
 
+/// Points that scatter by so many spacings that no neighbourhood is a stroke leave a hole.
+#[test]
+fn a_ring_of_much_noise_is_one_ring() {
+    for (n, spacings) in [(100, 0.2), (100, 2.0), (200, 4.0), (1000, 4.0)] {
+        let sigma = spacings * TAU / n as f64;
+        let fitted = denoise(&set(ring(n, sigma, 0, 2)));
+        let [curve] = &*fitted.curves else {
+            panic!("{n} {spacings}: {} curves", fitted.curves.len());
+        };
+        assert!(curve.closed, "{n} {spacings}");
+    }
+}
+
 #[test]
 fn scale_order_and_threads_make_no_difference() {
     let points = ring(200, 0.05, 10, 3);
@@ -105,6 +118,19 @@ fn scale_order_and_threads_make_no_difference() {
         .build()
         .unwrap();
     assert_eq!(one.install(|| denoise(&set(points))), fitted);
+}
+
+/// Of many points some stand for those about them.
+#[test]
+fn many_points_give_one_ring_in_any_order() {
+    let points = ring(6000, 0.01, 300, 4);
+    let fitted = denoise(&set(points.clone()));
+    assert!(matches!(&*fitted.curves, [curve] if curve.closed));
+    for place in fitted.curves[0].polyline(1e-4) {
+        assert!((place.length() - 1.0).abs() < 0.01, "{place}");
+    }
+    let reversed = points.into_iter().rev().collect();
+    assert_eq!(bits(&denoise(&set(reversed))), bits(&fitted));
 }
 
 #[test]

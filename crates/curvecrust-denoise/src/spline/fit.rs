@@ -23,6 +23,8 @@ const FREEDOM: f64 = 1.4;
 const YIELD: f64 = 1.5;
 /// Logarithms to base 10 of the penalties tried, in steps of one half.
 const PENALTIES: std::ops::RangeInclusive<i32> = -6..=14;
+/// Every so many of them are tried first.
+const COARSE: usize = 4;
 /// Residuals, in local sigma, from which on a point has no weight.
 const TUKEY: f64 = 4.5;
 /// Keeps unknowns that neither a point nor the penalty holds.
@@ -260,20 +262,40 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The penalty of the least cross validation; near the last one, if there was one.
+    /// The penalty of the least cross validation, near that of the last round, if there was one.
+    ///
+    /// It falls and then rises with the penalty, nearly always: coarse steps first, finer ones
+    /// about the best.
     fn best(&self, penalty: &Banded, last: &Spline, level: Option<i32>) -> Option<Best> {
-        let levels = match level {
-            None => PENALTIES,
-            Some(level) => (level - 4).max(*PENALTIES.start())..=(level + 4).min(*PENALTIES.end()),
-        };
         let normals: Vec<DVec2> = self
             .rows
             .iter()
             .map(|row| row.tangent(&last.controls).normalize_or_zero().perp())
             .collect();
-        let tried = levels.map(|level| self.at(level, penalty, &normals));
-        let finite = tried.filter(|best| best.score.is_finite());
-        finite.min_by(|a, b| a.score.total_cmp(&b.score))
+        let try_at = |level: i32| {
+            PENALTIES
+                .contains(&level)
+                .then(|| self.at(level, penalty, &normals))
+                .filter(|best| best.score.is_finite())
+        };
+        let coarse: Vec<i32> = match level {
+            None => PENALTIES.step_by(COARSE).collect(),
+            Some(level) => vec![level - 2, level, level + 2],
+        };
+        let better = |a: Best, b: Best| if b.score < a.score { b } else { a };
+        let mut best = coarse.iter().filter_map(|&l| try_at(l)).reduce(better)?;
+        for step in [2, 1] {
+            let middle = best.level;
+            for level in [middle - step, middle + step] {
+                if step == 2 && coarse.contains(&level) {
+                    continue;
+                }
+                if let Some(found) = try_at(level) {
+                    best = better(best, found);
+                }
+            }
+        }
+        Some(best)
     }
 
     fn at(&self, level: i32, penalty: &Banded, normals: &[DVec2]) -> Best {

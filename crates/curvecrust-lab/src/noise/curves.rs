@@ -6,6 +6,8 @@ use curvecrust::curve::DenseCurve;
 use curvecrust::geometry::{Component, DVec2, Random};
 use curvecrust_testing::fixtures;
 
+use super::things::outline;
+
 /// Points in order, and whether the curve is closed.
 #[derive(Clone)]
 pub(super) struct Truth {
@@ -17,19 +19,14 @@ pub(super) const NAMES: [&str; 11] = [
     "circle", "ellipse", "fourierA", "fourierB", "rings", "sine", "spiral", "star", "poly",
     "bunny", "mixed",
 ];
-/// Outlines of things.
-pub(super) const THINGS: [&str; 9] = [
-    "apple", "cup", "mouse", "fish", "cat", "violin", "glove", "key", "oak-leaf",
-];
-
-fn closed(points: Vec<DVec2>) -> Truth {
+pub(super) fn closed(points: Vec<DVec2>) -> Truth {
     Truth {
         points,
         closed: true,
     }
 }
 
-fn along(n: u32, from: f64, to: f64, at: impl Fn(f64) -> DVec2) -> Vec<DVec2> {
+pub(super) fn along(n: u32, from: f64, to: f64, at: impl Fn(f64) -> DVec2) -> Vec<DVec2> {
     (0..n)
         .map(|i| at(from + (to - from) * f64::from(i) / f64::from(n)))
         .collect()
@@ -126,104 +123,6 @@ fn drawing(name: &str) -> anyhow::Result<Vec<Truth>> {
     Ok(dense.components().iter().map(component).collect())
 }
 
-/// Cubics end to end, each by its control points but the first, and closed.
-fn cubics(controls: &[(f64, f64)]) -> Truth {
-    let mut points = Vec::new();
-    let at = |i: usize| DVec2::from(controls[i]) / 50.0;
-    for i in (0..controls.len() - 1).step_by(3) {
-        let [a, b, c, d] = [0, 1, 2, 3].map(|k| at(i + k));
-        points.extend(along(400, 0.0, 1.0, |t| {
-            let s = 1.0 - t;
-            s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d
-        }));
-    }
-    closed(points)
-}
-
-fn apple() -> Truth {
-    cubics(&[
-        (50.0, 78.0),
-        (40.0, 86.0),
-        (12.0, 88.0),
-        (8.0, 52.0),
-        (6.0, 22.0),
-        (34.0, -2.0),
-        (50.0, 8.0),
-        (66.0, -2.0),
-        (96.0, 22.0),
-        (92.0, 54.0),
-        (88.0, 86.0),
-        (64.0, 86.0),
-        (56.0, 79.0),
-        (56.0, 86.0),
-        (60.0, 92.0),
-        (66.0, 96.0),
-        (60.0, 99.0),
-        (56.0, 97.0),
-        (54.0, 96.0),
-        (52.0, 90.0),
-        (51.0, 84.0),
-        (50.0, 78.0),
-    ])
-}
-
-fn cup() -> Truth {
-    cubics(&[
-        (10.0, 90.0),
-        (33.0, 90.0),
-        (47.0, 90.0),
-        (70.0, 90.0),
-        (70.0, 84.0),
-        (70.0, 80.0),
-        (70.0, 74.0),
-        (104.0, 84.0),
-        (104.0, 28.0),
-        (66.0, 34.0),
-        (64.0, 20.0),
-        (60.0, 10.0),
-        (52.0, 8.0),
-        (44.0, 6.0),
-        (36.0, 6.0),
-        (28.0, 8.0),
-        (20.0, 10.0),
-        (14.0, 20.0),
-        (12.0, 60.0),
-        (11.0, 70.0),
-        (10.0, 80.0),
-        (10.0, 90.0),
-    ])
-}
-
-fn mouse() -> Truth {
-    cubics(&[
-        (2.0, 30.0),
-        (10.0, 46.0),
-        (22.0, 54.0),
-        (32.0, 56.0),
-        (28.0, 74.0),
-        (50.0, 78.0),
-        (48.0, 58.0),
-        (70.0, 72.0),
-        (104.0, 66.0),
-        (106.0, 32.0),
-        (124.0, 30.0),
-        (140.0, 40.0),
-        (150.0, 52.0),
-        (154.0, 50.0),
-        (154.0, 48.0),
-        (152.0, 44.0),
-        (140.0, 28.0),
-        (122.0, 20.0),
-        (104.0, 22.0),
-        (98.0, 16.0),
-        (40.0, 16.0),
-        (14.0, 20.0),
-        (6.0, 22.0),
-        (0.0, 24.0),
-        (2.0, 30.0),
-    ])
-}
-
 /// The curves of a name; others of the same kind if `held` out.
 pub(super) fn curves(name: &str, held: bool) -> anyhow::Result<Vec<Truth>> {
     let h = f64::from(u8::from(held));
@@ -269,10 +168,10 @@ pub(super) fn curves(name: &str, held: bool) -> anyhow::Result<Vec<Truth>> {
             rectangle(0.9, 0.7, 0.3 + 0.4 * h, DVec2::new(0.3, 0.1)),
         ],
         "square" => vec![rectangle(1.6, 1.6, 0.2, DVec2::ZERO)],
-        "apple" => vec![apple()],
-        "cup" => vec![cup()],
-        "mouse" => vec![mouse()],
-        name => drawing(name)?,
+        name => match outline(name) {
+            Some(outline) => vec![outline],
+            None => drawing(name)?,
+        },
     })
 }
 
