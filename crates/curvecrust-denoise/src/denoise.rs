@@ -1,6 +1,7 @@
 //! From points to curves: the steps in order.
 
-use curvecrust_geometry::{PointSet, Similarity, point_set::by_coordinates};
+use curvecrust_geometry::point_set::by_coordinates;
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Similarity};
 use curvecrust_reconstruct::{Known, LeastDetour, Reconstructor};
 
 use crate::band::{Rule, Windows};
@@ -14,6 +15,7 @@ use crate::options::Options;
 
 /// Fewer points than this are taken as clean: scatter cannot be told from a curve that bends.
 const FEWEST: usize = 16;
+
 /// Fits curves to points that scatter about them, among others that belong to none.
 ///
 /// Nothing has to be known. Points that are clean give the edges of
@@ -64,21 +66,22 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
         return Ok(convert::clean(points, &all, edges));
     }
     let may_be_clean = options.sigma.is_none();
+    let sorted = Sorted::new(points);
     let even = may_be_clean
-        .then(|| clean::edges_if_clean(points))
+        .then(|| clean::edges_if_clean(&sorted.points))
         .flatten();
     let is_clean = even.is_some();
     if let Some(edges) = even
-        && !clean::has_outliers(points, &edges)
+        && !clean::has_outliers(&sorted.points, &edges)
     {
         let known = options.known();
         let edges = match known == Known::default() {
-            true => edges,
+            true => sorted.original(&edges),
             false => LeastDetour.reconstruct_known(points, &known)?,
         };
         return Ok(convert::clean(points, &all, edges));
     }
-    let frame = Frame::new(points);
+    let frame = Frame::new(sorted);
     let found = best(&frame.all, frame.to_unit, options);
     let stays = match &found {
         Some((model, band)) => (is_clean || may_be_clean && frame.is_clean(band))
@@ -98,7 +101,39 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
     ))
 }
 
-/// The points in the unit box, sorted by coordinates: what follows does not depend on their order.
+/// Points by coordinates: what is computed from them does not depend on the order of the input, not
+/// by the rounding of a sum either.
+struct Sorted {
+    /// The index that each point had.
+    order: Vec<usize>,
+    points: PointSet,
+}
+
+impl Sorted {
+    fn new(points: &PointSet) -> Self {
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        let at = |i: usize| points.points()[i];
+        order.sort_unstable_by(|&i, &j| by_coordinates(at(i), at(j)));
+        let sorted = order.iter().map(|&i| at(i)).collect();
+        Self {
+            order,
+            // The points of a set are one.
+            points: PointSet::new(sorted).unwrap_or_default(),
+        }
+    }
+
+    /// Edges between the points as they were given.
+    fn original(&self, edges: &EdgeSet) -> EdgeSet {
+        let id = |sorted: PointId| PointId::new(self.order[sorted.index()]);
+        let given = edges.edges().iter().filter_map(|edge| {
+            let [a, b] = edge.ends().map(id);
+            Edge::new(a?, b?)
+        });
+        EdgeSet::new(self.order.len(), given)
+    }
+}
+
+/// The sorted points in the unit box.
 struct Frame {
     to_unit: Similarity,
     /// The index of each point.
@@ -107,12 +142,9 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(points: &PointSet) -> Self {
+    fn new(Sorted { order, points }: Sorted) -> Self {
         let to_unit = Similarity::to_unit_box(points.points().iter().copied());
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        let at = |i: usize| points.points()[i];
-        order.sort_unstable_by(|&i, &j| by_coordinates(at(i), at(j)));
-        let points = order.iter().map(|&i| to_unit.apply(at(i))).collect();
+        let points = points.points().iter().map(|&p| to_unit.apply(p)).collect();
         Self {
             to_unit,
             order,
