@@ -7,6 +7,7 @@
 //! | [`paper`] | the paper's tables and figures, measured and drawn |
 //! | [`compare`] | comparisons of algorithms: experiments, rows, means, tables, plots, a page |
 //! | [`noise`] | curves fitted to points that scatter about known ones |
+//! | [`theorem_2`] | Theorem 2 of the paper: a proof by machine, and its checker |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
 //! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
@@ -23,5 +24,6 @@ pub mod paper;
 mod png;
 mod repository;
 pub mod table;
+pub mod theorem_2;
 
 pub use repository::{output_of, root, write_atomically};
