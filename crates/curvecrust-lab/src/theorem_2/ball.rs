@@ -1,6 +1,6 @@
 //! Balls about centres off the medial axis (docs/theorem-2.md, Lemma 5).
 
-use super::geometry::{F, V, pt, up};
+use super::geometry::{F, V, pt};
 use super::interval::Interval as I;
 
 #[derive(Clone, Copy)]

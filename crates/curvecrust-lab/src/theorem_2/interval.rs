@@ -41,10 +41,6 @@ impl Interval {
     pub(super) fn lower(self) -> Self {
         Self::point(self.lo)
     }
-    /// Its upper end as an interval.
-    pub(super) fn upper(self) -> Self {
-        Self::point(self.hi)
-    }
     /// A number in its middle.
     pub(super) fn mid(self) -> f64 {
         0.5 * (self.lo + self.hi)
