@@ -7,7 +7,6 @@ mod curves;
 mod draw;
 mod sample;
 mod score;
-mod things;
 
 use std::path::Path;
 use std::time::Instant;
@@ -18,10 +17,10 @@ use curvecrust::geometry::{DVec2, PointSet, Random};
 use rayon::prelude::*;
 
 use crate::table::{Field, Table};
+use curves::THINGS;
 use curves::{NAMES, Truth, curves, separation};
 use sample::{Cell, Density, Noise, Sample, sample};
 use score::{Score, score};
-use things::THINGS;
 
 /// An experiment by its name.
 pub const EXPERIMENTS: [&str; 7] = [

@@ -1,12 +1,15 @@
 //! Curves whose points are scattered: dense polylines, open or closed.
 
+mod things;
+
+pub(super) use things::THINGS;
+
 use std::f64::consts::{PI, TAU};
 
 use curvecrust::curve::DenseCurve;
 use curvecrust::geometry::{Component, DVec2, Random};
 use curvecrust_testing::fixtures;
-
-use super::things::outline;
+use things::outline;
 
 /// Points in order, and whether the curve is closed.
 #[derive(Clone)]

@@ -2,10 +2,10 @@
 
 use curvecrust::geometry::DVec2;
 
-use super::curves::{Truth, along, closed};
+use super::{Truth, along, closed};
 
 /// Things by their names; those that are not drawn here are drawings of the fixtures.
-pub(super) const THINGS: [&str; 18] = [
+pub(in super::super) const THINGS: [&str; 18] = [
     "apple", "cup", "mouse", "bottle", "duck", "hand", "leaf", "goldfish", "teapot", "pear", "rat",
     "mug", "fish", "cat", "violin", "glove", "key", "oak-leaf",
 ];
@@ -79,7 +79,7 @@ const SMOOTH: [(&str, &str); 9] = [
 ];
 
 /// The outline of a thing that is drawn here, about 2 wide.
-pub(super) fn outline(name: &str) -> Option<Truth> {
+pub(in super::super) fn outline(name: &str) -> Option<Truth> {
     let named = |list: &[(&str, &'static str)]| {
         let found = list.iter().find(|(n, _)| *n == name);
         found.map(|(_, places)| parsed(places))
