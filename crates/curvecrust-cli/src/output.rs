@@ -61,6 +61,11 @@ impl Results {
         self.output.as_ref().is_some_and(|o| o.format == format)
     }
 
+    /// What the user should know of a reference system that is left out, if there is one.
+    pub(crate) fn leaves_out(&self, system: Option<&System>) -> Option<String> {
+        self.output.as_ref()?.leaves_out(system?)
+    }
+
     /// Prints the JSON object, if it was asked for.
     pub(crate) fn print_json<T: Serialize>(
         &self,
@@ -137,8 +142,7 @@ impl Output {
 
     /// What the user should know of a reference system that the format has a place for, but not in
     /// the terms that the points' file has.
-    pub(crate) fn leaves_out(&self, system: Option<&System>) -> Option<String> {
-        let system = system?;
+    fn leaves_out(&self, system: &System) -> Option<String> {
         let wants = match self.format {
             Format::Wkb | Format::Geojson if system.epsg().is_none() => "a code of EPSG",
             #[cfg(feature = "parquet")]

@@ -67,6 +67,12 @@ impl Component {
         }
     }
 
+    /// Whether a point of the component is an open end of it.
+    #[must_use]
+    pub fn is_end(&self, index: usize) -> bool {
+        self.previous(index).is_none() || self.next(index).is_none()
+    }
+
     /// How many pairs of consecutive points there are: the point after the last counts if it is
     /// closed.
     #[must_use]

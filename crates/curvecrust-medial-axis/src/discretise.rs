@@ -208,8 +208,8 @@ fn refine(
 ) -> Result<MeasuredCurve, MedialAxisError> {
     let (axis, coarse) = refine_axis(curve, ratio, progress)?;
     // What lfs was found to be decides at once on most of the points.
-    let parts = pieces(&parts(curve, coarse.dense(), coarse.lfs(), ratio));
-    let dense = coarse.dense().refined(curve, &parts)?;
+    let wanted = parts(curve, coarse.dense(), coarse.lfs(), ratio);
+    let dense = coarse.dense().refined(curve, &pieces(&wanted))?;
     settle(curve, dense, ratio, progress, |dense| {
         Ok(LocalFeatureSize::new(dense, &axis))
     })

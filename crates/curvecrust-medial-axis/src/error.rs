@@ -52,6 +52,16 @@ pub enum MedialAxisError {
 }
 
 impl MedialAxisError {
+    /// Where curves cross or touch, if that is the error: there lfs is 0, and no finite sampling
+    /// suffices.
+    #[must_use]
+    pub fn touch(&self) -> Option<DVec2> {
+        match *self {
+            Self::Crossing { at, .. } | Self::Touching { at, .. } => Some(at),
+            _ => None,
+        }
+    }
+
     pub(crate) fn too_coarse(gap: Segment) -> Self {
         Self::TooCoarse {
             at: gap.a.midpoint(gap.b),

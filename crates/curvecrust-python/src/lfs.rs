@@ -27,7 +27,7 @@ impl Strokes {
     /// Measures curves; where they touch or cross, what is left of them when they are cut there.
     pub(crate) fn measure(split: SplitCurve) -> PyResult<Self> {
         let pieces = match measured(&split) {
-            Err(MedialAxisError::Crossing { .. } | MedialAxisError::Touching { .. }) => {
+            Err(error) if error.touch().is_some() => {
                 let split = strands(&split).map_err(value_error)?.curve;
                 let pieces = measured(&split).map_err(value_error)?;
                 return Ok(Self { split, pieces });

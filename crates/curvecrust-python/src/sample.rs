@@ -7,12 +7,10 @@ use crate::work::{Progressed, Run};
 use curvecrust::DVec2;
 use curvecrust::curve::{SplitCurve, strands};
 use curvecrust::geometry::Progress;
-use curvecrust::medial_axis::MedialAxisError;
 use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError, SplitOptions,
-    VerifyOptions, on_strokes, sample_curve_with, sample_decoded_with, sample_fewest_with,
-    sample_verified_with,
+    Condition, DecodeOptions, SampleOptions, Sampling, SamplingError, SplitOptions, VerifyOptions,
+    on_strokes, sample_curve_with, sample_decoded_with, sample_fewest_with, sample_verified_with,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -121,7 +119,11 @@ fn chosen(
         } else {
             decoded(&split, condition, count, progress)
         };
-        if strokes == "together" || !together.as_ref().is_err_and(is_touching) {
+        if strokes == "together"
+            || !together
+                .as_ref()
+                .is_err_and(|error| error.touch().is_some())
+        {
             return together.map_err(value_error);
         }
     }
@@ -167,15 +169,6 @@ fn one_of<'a>(argument: &str, value: &'a str, names: &[&str]) -> PyResult<&'a st
     )))
 }
 
-/// Whether curves touch or cross, so that none of them can be sampled beside the others.
-fn is_touching(error: &SamplingError) -> bool {
-    use MedialAxisError::{Crossing, Touching};
-    matches!(
-        error,
-        SamplingError::Measure(Crossing { .. } | Touching { .. })
-    )
-}
-
 /// Samples of every smooth piece, put together.
 fn decoded(
     split: &SplitCurve,
@@ -218,13 +211,10 @@ fn verified(
     fixed: &[DVec2],
     progress: Progress<'_>,
 ) -> Result<Sampling, SamplingError> {
-    let default = VerifyOptions::default();
-    let limit = condition.hausdorff_limit();
     let options = VerifyOptions {
-        deviation: limit.map_or(default.deviation, DeviationLimit::Length),
         fixed,
         progress,
-        ..default
+        ..VerifyOptions::of(condition)
     };
     sample_verified_with(start, &options)
 }

@@ -129,6 +129,16 @@ pub enum SamplingError {
 }
 
 impl SamplingError {
+    /// Where curves cross or touch, if that is the error, as of
+    /// [`MedialAxisError::touch`].
+    #[must_use]
+    pub fn touch(&self) -> Option<DVec2> {
+        match self {
+            Self::Measure(error) => error.touch(),
+            _ => None,
+        }
+    }
+
     pub(crate) fn too_many(what: &'static str, value: f64, count: f64) -> Self {
         let count = count_of(count);
         Self::TooMany { what, value, count }

@@ -69,14 +69,10 @@ impl SampledCurve {
     /// ```
     #[must_use]
     pub fn termini(&self) -> Vec<usize> {
-        let open = self
-            .components
-            .iter()
-            .filter(|c| !c.closed && !c.is_empty());
-        let ends = open.flat_map(|c| [c.range.start, c.range.end - 1]);
-        let mut termini: Vec<usize> = ends.collect();
-        termini.dedup();
-        termini
+        let components = self.components.iter();
+        components
+            .flat_map(|c| c.range.clone().filter(|&i| c.is_end(i)))
+            .collect()
     }
 
     /// The number of samples.

@@ -20,7 +20,7 @@ use curvecrust_geometry::{DVec2, Progress};
 use curvecrust_reconstruct::{HnnCrust, Reconstructor};
 
 use crate::arcs::Arcs;
-use crate::condition::DeviationLimit;
+use crate::condition::{Condition, DeviationLimit};
 use crate::error::SamplingError;
 use crate::placed::PlacedSamples;
 use crate::sampled_curve::SampledCurve;
@@ -58,6 +58,20 @@ impl Default for VerifyOptions<'_> {
             seed: 1,
             fixed: &[],
             progress: Progress::default(),
+        }
+    }
+}
+
+impl VerifyOptions<'_> {
+    /// The default options; where a condition has a limit for the Hausdorff distance, the curve
+    /// keeps within that.
+    #[must_use]
+    pub fn of(condition: Condition) -> Self {
+        let default = Self::default();
+        let limit = condition.hausdorff_limit();
+        Self {
+            deviation: limit.map_or(default.deviation, DeviationLimit::Length),
+            ..default
         }
     }
 }

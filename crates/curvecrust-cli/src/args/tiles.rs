@@ -12,8 +12,8 @@ pub(crate) struct Tiles {
         long,
         value_name = "FOLDER",
         conflicts_with_all = [
-            "json", "closed", "open", "curves", "terminus", "termini_from", "merge_duplicates", "merge_within",
-            "x", "vertices", "keep",
+            "json", "closed", "open", "curves", "terminus", "termini_from", "merge_duplicates",
+            "merge_within", "x", "vertices", "keep",
         ]
     )]
     pub(crate) tiles: Option<PathBuf>,

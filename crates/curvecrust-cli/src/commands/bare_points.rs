@@ -150,6 +150,16 @@ fn repeats_its_start(rows: &[DVec2]) -> bool {
 }
 
 impl BarePoints {
+    /// Points of which no more is known yet than their places.
+    fn new(points: PointSet, merged: Option<Merged>) -> Self {
+        Self {
+            points,
+            heights: None,
+            system: None,
+            merged,
+        }
+    }
+
     fn merging(rows: Vec<DVec2>) -> anyhow::Result<Self> {
         let found = PointSet::merging_duplicates(rows)?;
         Ok(Self::merged(found, None))
@@ -172,12 +182,7 @@ impl BarePoints {
             row_of: found.origin.into_iter().map(row_number).collect(),
             rows,
         });
-        Self {
-            points: found.points,
-            heights: None,
-            system: None,
-            merged,
-        }
+        Self::new(found.points, merged)
     }
 
     /// Points of which the last equals the first.
@@ -189,22 +194,12 @@ impl BarePoints {
             row_of: points.ids().map(u32::from).collect(),
             rows: None,
         };
-        Ok(Self {
-            points,
-            heights: None,
-            system: None,
-            merged: Some(merged),
-        })
+        Ok(Self::new(points, Some(merged)))
     }
 
     fn distinct(rows: Vec<DVec2>) -> anyhow::Result<Self> {
         match PointSet::new(rows) {
-            Ok(points) => Ok(Self {
-                points,
-                heights: None,
-                system: None,
-                merged: None,
-            }),
+            Ok(points) => Ok(Self::new(points, None)),
             Err(PointSetError::Duplicate {
                 first,
                 second,

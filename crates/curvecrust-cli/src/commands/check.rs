@@ -3,6 +3,7 @@
 use super::bare_points::{BarePoints, PointSource};
 use super::condition::{Requirement, name_and_bound};
 use super::curve_source::{CurveSource, MeasuredStrokes};
+use super::guarantee::open_curves;
 use super::{Bounds, Outcome};
 use crate::args::{self, Distance};
 use crate::console::Console;
@@ -87,13 +88,8 @@ impl Job {
                 Number(first.y)
             ));
         }
-        let open = split.components().iter().filter(|c| !c.closed).count();
-        if open > 0 {
-            let are = if open == 1 { "curve is" } else { "curves are" };
-            console.note(format_args!(
-                "{}: {open} {are} open, which no theorem covers",
-                self.curve.name()
-            ));
+        if let Some(open) = open_curves(split.components()) {
+            console.note(format_args!("{}: {open}", self.curve.name()));
         }
         let object = object(&strokes, &placed, condition, &bare);
         if self.json {
@@ -152,19 +148,19 @@ fn object(
 
 /// The samples at the ends of strokes that are open.
 fn termini(strokes: &MeasuredStrokes, placed: &OnPieces) -> Vec<usize> {
-    let pieces = placed.measured.dense().components();
-    let open = strokes.split.components().iter().filter(|c| !c.closed);
-    let ends = open.flat_map(|stroke| {
-        let first = pieces.get(stroke.range.start).map(|c| c.range.start);
-        let last = pieces.get(stroke.range.end - 1).map(|c| c.range.end - 1);
-        [first, last].into_iter().flatten()
-    });
-    let placements = placed.samples.placements();
-    let at = |end: usize| {
-        let mut samples = placements.iter();
-        samples.position(|place| place.dense == end && place.t <= 0.0)
-    };
-    ends.filter_map(at).collect()
+    let pieces = placed.measured.dense().components().iter();
+    let pieces = pieces.zip(placed.samples.components()).enumerate();
+    let open = pieces.filter(|(_, (piece, _))| !piece.closed);
+    open.flat_map(|(index, (piece, samples))| {
+        let [before, after] = strokes.split.meetings(index);
+        samples.clone().filter(move |&sample| {
+            let place = placed.samples.placements()[sample];
+            let is_at = |end: usize| place.dense == end && place.t <= 0.0;
+            before.is_none() && is_at(piece.range.start)
+                || after.is_none() && is_at(piece.range.end - 1)
+        })
+    })
+    .collect()
 }
 
 fn value(found: &Attained) -> Bounds {

@@ -310,14 +310,9 @@ fn finest(condition: Option<Condition>) -> f64 {
 
 /// Where strokes touch or cross, if that is the error.
 pub(super) fn touching(error: &anyhow::Error) -> Option<DVec2> {
-    let of_sampling = error.downcast_ref::<SamplingError>();
-    let measure = match of_sampling {
-        Some(SamplingError::Measure(error)) => Some(error),
-        _ => error.downcast_ref::<MedialAxisError>(),
-    };
-    match *measure? {
-        MedialAxisError::Crossing { at, .. } | MedialAxisError::Touching { at, .. } => Some(at),
-        _ => None,
+    match error.downcast_ref::<SamplingError>() {
+        Some(error) => error.touch(),
+        None => error.downcast_ref::<MedialAxisError>()?.touch(),
     }
 }
 

@@ -71,8 +71,7 @@ impl Job {
             fitted: &fitted,
         };
         console.during("writing", |_| self.write(&found))?;
-        let output = self.results.output.as_ref();
-        if let Some(note) = output.and_then(|output| output.leaves_out(bare.system.as_ref())) {
+        if let Some(note) = self.results.leaves_out(bare.system.as_ref()) {
             console.note(note);
         }
         console.note(Summary(&found));

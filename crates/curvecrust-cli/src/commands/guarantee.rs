@@ -1,6 +1,7 @@
 //! What is known of a reconstruction from samples that the program took.
 
 use curvecrust::curve::Curve;
+use curvecrust::geometry::Component;
 use curvecrust::reconstruct::{Guarantee, HnnCrust, Reconstructor, SamplingBound, Standing};
 use curvecrust::sampling::{Bound, Condition};
 use serde::Serialize;
@@ -28,6 +29,16 @@ impl Guaranteed {
     /// What a run of an algorithm tells.
     pub(super) fn of_run(is_exact: bool) -> Self {
         if is_exact { Self::Running } else { Self::Not }
+    }
+}
+
+/// That some curves are open, which the theorems are not about; `None` if none are.
+pub(super) fn open_curves(curves: &[Component]) -> Option<String> {
+    let open = curves.iter().filter(|curve| !curve.closed);
+    match open.count() {
+        0 => None,
+        1 => Some("1 curve is open, which no theorem covers".to_owned()),
+        count => Some(format!("{count} curves are open, which no theorem covers")),
     }
 }
 

@@ -92,8 +92,7 @@ impl Job {
         let summary = Summary::new(&bare, &edges, &known.termini);
         let hints = hints::hints(&bare, &edges);
         console.during("writing", |_| self.write(&bare, &known, edges, why))?;
-        let output = self.results.output.as_ref();
-        if let Some(note) = output.and_then(|output| output.leaves_out(bare.system.as_ref())) {
+        if let Some(note) = self.results.leaves_out(bare.system.as_ref()) {
             console.note(note);
         }
         console.note(summary);

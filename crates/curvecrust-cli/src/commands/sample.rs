@@ -6,7 +6,7 @@ mod result;
 use super::Outcome;
 use super::condition::{Requirement, name_and_bound};
 use super::curve_source::{CurveSource, touching};
-use super::guarantee::Guaranteed;
+use super::guarantee::{Guaranteed, open_curves};
 use crate::args::{self, Algorithm, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
@@ -18,9 +18,9 @@ use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{
-    Condition, DecodeOptions, DeviationLimit, SampleOptions, Sampling, SamplingError, SplitOptions,
-    VerifyOptions, decode, on_strokes, sample, sample_curve_with, sample_decoded_with,
-    sample_fewest_with, sample_verified_with,
+    Condition, DecodeOptions, SampleOptions, Sampling, SamplingError, SplitOptions, VerifyOptions,
+    decode, on_strokes, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
+    sample_verified_with,
 };
 
 /// The formats of samples, the one of stdout first.
@@ -96,11 +96,8 @@ impl Job {
 
     /// Tells that ends of open curves are no matter of the theorems, and where they are written.
     fn tell_of_ends(&self, sampling: &Sampling, console: &Console) {
-        let open = sampling.samples.components().iter().filter(|c| !c.closed);
-        let curves = match open.count() {
-            0 => return,
-            1 => "1 curve is open, which no theorem covers".to_owned(),
-            count => format!("{count} curves are open, which no theorem covers"),
+        let Some(curves) = open_curves(sampling.samples.components()) else {
+            return;
         };
         let marks = [Format::Csv, Format::Json].map(|format| self.results.writes(format));
         let marked = if marks.contains(&true) || self.results.json {
@@ -368,14 +365,11 @@ fn verified(
     console: &Console,
 ) -> Result<Sampling, SamplingError> {
     console.during("taking samples away", |progress| {
-        let default = VerifyOptions::default();
-        let limit = condition.hausdorff_limit();
         let options = VerifyOptions {
             algorithm,
-            deviation: limit.map_or(default.deviation, DeviationLimit::Length),
             fixed,
             progress: Progress::new(progress),
-            ..default
+            ..VerifyOptions::of(condition)
         };
         sample_verified_with(start, &options)
     })

@@ -36,8 +36,6 @@ struct Kind {
     dimension: Option<Dimension>,
     /// The height of every point, up to the last that has one; no number where there is none.
     heights: Vec<f64>,
-    /// How many points there are.
-    count: usize,
     /// Whether any is a longitude and a latitude.
     has_degrees: bool,
 }
@@ -85,9 +83,9 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
 }
 
 impl Kind {
-    /// Takes the height of the point that is being read.
-    fn height(&mut self, height: f64) {
-        self.heights.resize(self.count, f64::NAN);
+    /// Takes the height of a point.
+    fn height(&mut self, index: usize, height: f64) {
+        self.heights.resize(index, f64::NAN);
         self.heights.push(height);
     }
 }
@@ -109,16 +107,22 @@ impl<'de> Visitor<'de> for PointsVisitor {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Points, A::Error> {
         let mut found = Points::default();
-        while let Some(point) = seq.next_element_seed(Point(&mut found.kind))? {
-            found.points.push(point);
-            found.kind.count += 1;
+        loop {
+            let index = found.points.len();
+            let kind = &mut found.kind;
+            match seq.next_element_seed(Point { index, kind })? {
+                Some(point) => found.points.push(point),
+                None => return Ok(found),
+            }
         }
-        Ok(found)
     }
 }
 
 /// One point, which has as many numbers as those before it.
-struct Point<'a>(&'a mut Kind);
+struct Point<'a> {
+    index: usize,
+    kind: &'a mut Kind,
+}
 
 impl<'de> DeserializeSeed<'de> for Point<'_> {
     type Value = DVec2;
@@ -145,11 +149,11 @@ impl<'de> Visitor<'de> for Point<'_> {
         let dimension = match next()? {
             None => Dimension::Two,
             Some(height) => {
-                self.0.height(height);
+                self.kind.height(self.index, height);
                 Dimension::Three
             }
         };
-        match (*self.0.dimension.get_or_insert(dimension), dimension) {
+        match (*self.kind.dimension.get_or_insert(dimension), dimension) {
             (Dimension::Three, Dimension::Two) => return Err(less()),
             (Dimension::Two, Dimension::Three) => return Err(more()),
             _ => {}
@@ -171,7 +175,8 @@ impl<'de> Visitor<'de> for Point<'_> {
                 Some((_, value)) => *value = Some(map.next_value::<f64>()?),
                 None if HEIGHTS.contains(&&*key) => {
                     if let Value::Number(height) = map.next_value::<Value>()? {
-                        self.0.height(height.as_f64().unwrap_or(f64::NAN));
+                        self.kind
+                            .height(self.index, height.as_f64().unwrap_or(f64::NAN));
                     }
                 }
                 None => {
@@ -179,7 +184,7 @@ impl<'de> Visitor<'de> for Point<'_> {
                 }
             }
         }
-        self.0.dimension.get_or_insert(Dimension::Two);
+        self.kind.dimension.get_or_insert(Dimension::Two);
         let pairs = KNOWN.iter().zip(&values);
         let found = pairs
             .into_iter()
@@ -187,7 +192,7 @@ impl<'de> Visitor<'de> for Point<'_> {
         let (names, x, y) = found.ok_or_else(|| {
             A::Error::custom("an object of a point has x and y, or longitude and latitude")
         })?;
-        self.0.has_degrees |= is_longitude(names[0][0].as_bytes());
+        self.kind.has_degrees |= is_longitude(names[0][0].as_bytes());
         let value = |value| in_double_range(value).map_err(A::Error::custom);
         Ok(DVec2::new(value(x)?, value(y)?))
     }

@@ -67,7 +67,7 @@ impl<R: Records> Table<R> {
             table.take_point()?;
         }
         let mut list = PointList::new(table.points, table.heights);
-        list.notes.splice(..0, table.notes);
+        list.notes.extend(table.notes);
         Ok(list)
     }
 

@@ -4,6 +4,7 @@
 //! `PYTHON` names an interpreter that has them; without it, it is `python3`.
 
 use crate::harness::{Folder, json};
+use serde_json::Value;
 use std::process::Command;
 
 /// Runs a program after it has imported a module; `None`, and a line that says so, without the
@@ -224,11 +225,11 @@ const WRITERS_OF_HEIGHTS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-#[test]
-fn heights_of_other_writers_are_read() {
+/// What the program prints of each file that a module of Python wrote of three points.
+fn written(writers: &[(&str, &str, &str)], options: &str, check: impl Fn(&Value, &str)) {
     let folder = Folder::new();
     let points = "p = [(1.5, -2.0), (3.0, 4.0), (5.0, 4.5)]\nx, y = map(list, zip(*p))\n";
-    for (module, name, program) in WRITERS_OF_HEIGHTS {
+    for (module, name, program) in writers {
         if python(&folder, module, &format!("{points}{program}")).is_none() {
             continue;
         }
@@ -237,22 +238,22 @@ fn heights_of_other_writers_are_read() {
         } else {
             ""
         };
-        let line = format!("reconstruct {name} --keep z --json {vertices}");
-        let found = json(&folder.run(&line).fine());
-        assert_eq!(found["z"], serde_json::json!([1.0, 2.0, 3.0]), "{name}");
+        let line = format!("reconstruct {name} --json {options} {vertices}");
+        check(&json(&folder.run(&line).fine()), name);
     }
 }
 
 #[test]
+fn heights_of_other_writers_are_read() {
+    written(WRITERS_OF_HEIGHTS, "--keep z", |found, name| {
+        assert_eq!(found["z"], serde_json::json!([1.0, 2.0, 3.0]), "{name}");
+    });
+}
+
+#[test]
 fn points_of_other_writers_are_read() {
-    let folder = Folder::new();
-    let points = "p = [(1.5, -2.0), (3.0, 4.0), (5.0, 4.5)]\nx, y = map(list, zip(*p))\n";
-    for (module, name, program) in WRITERS {
-        if python(&folder, module, &format!("{points}{program}")).is_none() {
-            continue;
-        }
-        let found = json(&folder.run(&format!("reconstruct {name} --json")).fine());
+    written(WRITERS, "", |found, name| {
         let expected = serde_json::json!([[1.5, -2.0], [3.0, 4.0], [5.0, 4.5]]);
         assert_eq!(found["points"], expected, "{name}");
-    }
+    });
 }

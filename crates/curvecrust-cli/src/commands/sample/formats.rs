@@ -28,18 +28,18 @@ fn parts(samples: &SampledCurve) -> impl Iterator<Item = &[DVec2]> {
 
 /// With a column that marks the ends of open curves, if there are any.
 pub(super) fn write_csv(out: &mut dyn Write, samples: &SampledCurve) -> io::Result<()> {
-    let termini = samples.termini();
-    let header = if termini.is_empty() { "" } else { ",terminus" };
+    let components = samples.components();
+    let has_ends = components.iter().any(|component| !component.closed);
+    let header = if has_ends { ",terminus" } else { "" };
     writeln!(out, "curve,x,y{header}")?;
-    let mut index = 0;
-    for (curve, part) in parts(samples).enumerate() {
-        for p in part {
+    for (curve, component) in components.iter().enumerate() {
+        for i in component.range.clone() {
+            let p = samples.points()[i];
             write!(out, "{curve},{},{}", Number(p.x), Number(p.y))?;
-            if !termini.is_empty() {
-                write!(out, ",{}", u8::from(termini.binary_search(&index).is_ok()))?;
+            if has_ends {
+                write!(out, ",{}", u8::from(component.is_end(i)))?;
             }
             writeln!(out)?;
-            index += 1;
         }
     }
     Ok(())
