@@ -177,19 +177,19 @@ impl SegmentTree {
     }
 
     fn for_queries_in(queries: Disc, segments: impl IntoIterator<Item = Segment>) -> Self {
-        let segments: Vec<Segment> = segments.into_iter().collect();
-        let depth = segments
-            .len()
-            .div_ceil(LEAF)
-            .max(1)
-            .next_power_of_two()
-            .ilog2();
-        let mut tree = Self {
-            boxes: vec![Rectangle::EMPTY; (2 << depth) - 1],
-            segments,
+        let item = |segment: Segment| {
+            let part = queries.part_of(segment);
+            let twice_midpoint = part.a + part.b;
+            (segment, twice_midpoint)
         };
-        build(queries, &mut tree.segments, &mut tree.boxes, 0);
-        tree
+        let mut items: Vec<Item> = segments.into_iter().map(item).collect();
+        let leaves = items.len().div_ceil(LEAF).max(1).next_power_of_two();
+        let mut boxes = vec![Rectangle::EMPTY; 2 * leaves - 1];
+        build(queries, &mut items, &mut boxes, 0);
+        Self {
+            segments: items.into_iter().map(|(segment, _)| segment).collect(),
+            boxes,
+        }
     }
 
     /// A segment nearest to `p`, and its distance; `None` if there are no segments.
@@ -211,6 +211,24 @@ impl SegmentTree {
         };
         self.search(p, 0, &self.segments, &mut best);
         Some((best.segment, best.squared.sqrt()))
+    }
+
+    /// A segment nearest to `p`, and its distance, if that is below `limit`: the smaller the limit,
+    /// the faster.
+    #[must_use]
+    pub fn nearest_within(&self, p: DVec2, limit: f64) -> Option<(Segment, f64)> {
+        let mut best = Best {
+            segment: *self.segments.first()?,
+            // Not below the square of any distance below the limit, whatever rounding does.
+            squared: limit * limit * (1.0 + 8.0 * f64::EPSILON),
+        };
+        let root = self.boxes.first()?;
+        if root.distance_squared(p) < best.squared {
+            self.search(p, 0, &self.segments, &mut best);
+        }
+        // Where none is nearer than the limit, this is some segment.
+        let distance = best.segment.distance(p);
+        (distance < limit).then_some((best.segment, distance))
     }
 
     /// Looks for a nearer one among the segments of a node, in the nearer half first.
@@ -238,37 +256,31 @@ impl SegmentTree {
     }
 }
 
+/// A segment, and twice the midpoint of its part that queries may find.
+type Item = (Segment, DVec2);
+
 /// Orders the segments of a node for its descendants, and fills in their boxes.
-fn build(queries: Disc, segments: &mut [Segment], boxes: &mut [Rectangle], node: usize) {
+fn build(queries: Disc, items: &mut [Item], boxes: &mut [Rectangle], node: usize) {
     if 2 * node + 2 >= boxes.len() {
         let mut ends = [DVec2::ZERO; 2 * LEAF];
-        for (ends, &segment) in ends.chunks_exact_mut(2).zip(&*segments) {
+        for (ends, &(segment, _)) in ends.chunks_exact_mut(2).zip(&*items) {
             let part = queries.part_of(segment);
             ends.copy_from_slice(&[part.a, part.b]);
         }
-        boxes[node] = Rectangle::around(&ends[..2 * segments.len()]);
+        boxes[node] = Rectangle::around(&ends[..2 * items.len()]);
         return;
     }
-    let middle = segments.len() / 2;
-    let twice_midpoint = |segment: &Segment| {
-        let part = queries.part_of(*segment);
-        part.a + part.b
-    };
-    let (low, high) = segments
-        .iter()
-        .map(twice_midpoint)
-        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), m| {
-            (low.min(m), high.max(m))
-        });
+    let middle = items.len() / 2;
+    let (low, high) = items.iter().fold(
+        (DVec2::INFINITY, DVec2::NEG_INFINITY),
+        |(low, high), &(_, m)| (low.min(m), high.max(m)),
+    );
     let DVec2 { x, y } = high - low;
     if middle > 0 {
-        let key = |s: &Segment| {
-            let m = twice_midpoint(s);
-            if x > y { m.x } else { m.y }
-        };
-        segments.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
+        let key = |&(_, m): &Item| if x > y { m.x } else { m.y };
+        items.select_nth_unstable_by(middle, |s, t| key(s).total_cmp(&key(t)));
     }
-    let (before, after) = segments.split_at_mut(middle);
+    let (before, after) = items.split_at_mut(middle);
     build(queries, before, boxes, 2 * node + 1);
     build(queries, after, boxes, 2 * node + 2);
     let halves = [boxes[2 * node + 1], boxes[2 * node + 2]];
@@ -359,6 +371,10 @@ mod tests {
                 let least = segments.iter().map(|s| s.distance(p)).min_by(f64::total_cmp);
                 prop_assert_eq!(tree.nearest(p).map(|found| found.1), least);
                 prop_assert_eq!(cut.nearest(p).map(|found| found.1), least);
+                for limit in [0.01, 0.1, 1.0] {
+                    let found = tree.nearest_within(p, limit).map(|found| found.1);
+                    prop_assert_eq!(found, least.filter(|&distance| distance < limit));
+                }
                 for &near in segments.iter().take(3) {
                     let found = tree.nearest_after(p, near);
                     prop_assert_eq!(found.map(|found| found.1), least);

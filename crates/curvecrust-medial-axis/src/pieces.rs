@@ -189,17 +189,12 @@ impl Neighbour<'_> {
         self.meetings.iter().any(|&(_, share)| share < SINE)
     }
 
-    /// The bound that it sets to lfs at a point.
-    fn bound(&self, p: DVec2) -> f64 {
-        let Some((_, distance)) = self.outline.chords.nearest(p) else {
-            return f64::INFINITY;
-        };
+    /// The bound that it sets to lfs at a point, if that is below `value`.
+    fn bound(&self, p: DVec2, value: f64) -> Option<f64> {
         let free = self.meetings.iter().map(|(c, share)| share * c.distance(p));
-        if distance < free.fold(f64::INFINITY, f64::min) {
-            distance / 2.0
-        } else {
-            f64::INFINITY
-        }
+        let limit = free.fold(2.0 * value, f64::min);
+        let (_, distance) = self.outline.chords.nearest_within(p, limit)?;
+        Some(distance / 2.0)
     }
 }
 
@@ -250,7 +245,7 @@ impl Part {
                             if neighbour.at_least / 2.0 >= *value {
                                 break;
                             }
-                            *value = value.min(neighbour.bound(p));
+                            *value = neighbour.bound(p, *value).unwrap_or(*value);
                         }
                     }
                     make_lipschitz(points, values, component.closed);

@@ -13,7 +13,7 @@ use curvecrust_reconstruct::{LeastDetour, Reconstructor};
 
 use crate::condition::Condition;
 use crate::error::SamplingError;
-use crate::pieces::{SplitOptions, sample_split_with};
+use crate::pieces::{SplitOptions, sample_measured, sample_split_with};
 use crate::sampled_curve::SampledCurve;
 use crate::sampling::Sampling;
 
@@ -96,6 +96,7 @@ pub fn sample_decoded_with(
     let asked = sample_split_with(split, condition, &options.sampling)?;
     let count = asked.samples.len();
     let alone = split.is_apart();
+    let every_start = options.sampling.every_start;
     let mut share = TIGHTER;
     let mut sampling = asked.clone();
     loop {
@@ -109,11 +110,14 @@ pub fn sample_decoded_with(
                 is_exact: true,
             });
         }
+        if share < LEAST_SHARE {
+            break;
+        }
         let tighter = condition.with_value(share * condition.bound().value());
-        // It may ask for too many samples, where the first did not.
-        match sample_split_with(split, tighter, &options.sampling) {
-            Ok(finer) if share >= LEAST_SHARE => sampling = finer,
-            _ => break,
+        // What was measured is fine enough, or else it would be for too many samples.
+        match sample_measured(split, &asked.measured, tighter, every_start) {
+            Ok(finer) => sampling = finer,
+            Err(_) => break,
         }
         share *= TIGHTER;
     }

@@ -98,9 +98,19 @@ pub fn sample_split_with(
         };
         measure_pieces_with(split, &options)
     };
-    let of_pieces = as_finely_as_needed(condition, measured, |measured| {
-        sample_pieces(split, measured, condition, every_start)
-    })?;
+    as_finely_as_needed(condition, measured, |measured| {
+        sample_measured(split, measured, condition, every_start)
+    })
+}
+
+/// Samples a curve whose pieces have been measured.
+pub(crate) fn sample_measured(
+    split: &SplitCurve,
+    measured: &MeasuredCurve,
+    condition: Condition,
+    every_start: bool,
+) -> Result<Sampling, SamplingError> {
+    let of_pieces = sample_pieces(split, measured, condition, every_start)?;
     Ok(joined(split, of_pieces))
 }
 
