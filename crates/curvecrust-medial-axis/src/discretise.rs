@@ -9,6 +9,7 @@ use crate::axis::MedialAxis;
 use crate::crossing::{self, chord};
 use crate::curvature;
 use crate::error::MedialAxisError;
+use crate::gaps::Gaps;
 use crate::lfs::LocalFeatureSize;
 use crate::shrinking_ball;
 
@@ -61,6 +62,9 @@ pub struct MeasuredCurve {
 pub struct MeasureOptions<'a> {
     /// How dense points are chosen; adaptively, with gaps of at most 0.02 of lfs, by default.
     pub discretisation: Discretisation,
+    /// Where adaptive gaps would make more than 250,000 dense points, gaps grow up to this
+    /// fraction of lfs, if it is the larger one; 0 by default, which keeps them.
+    pub gap_to_lfs_of_many: f64,
     /// How lfs is estimated; from the Voronoi diagram by default.
     pub estimator: Estimator,
     /// Hears how many dense points there are, of about how many that will be.
@@ -125,11 +129,6 @@ const TURN: f64 = 0.5;
 const LENGTH: f64 = 0.125;
 /// The most parts that a gap is split into at once: lfs on a coarse discretisation is a guess.
 const SPLIT: f64 = 8.0;
-/// How many times farther apart than the dense points may be those that the axis is computed from,
-/// ...
-const AXIS_GAPS: f64 = 4.0;
-/// ... but at most this fraction of their lfs apart: the error of the axis falls with the square.
-const AXIS_RATIO: f64 = 0.05;
 /// Curves nearer than this fraction of their extent count as touching.
 pub(crate) const TOUCHING: f64 = 1e-7;
 /// Rounds in which gaps that another part of the curve spans may remain most of all: curves that
@@ -178,6 +177,7 @@ pub fn measure_with(
 ) -> Result<MeasuredCurve, MedialAxisError> {
     let MeasureOptions {
         discretisation,
+        gap_to_lfs_of_many,
         estimator,
         progress,
     } = *options;
@@ -188,7 +188,7 @@ pub fn measure_with(
             MeasuredCurve::new(dense, estimator)
         }
         Discretisation::Adaptive { gap_to_lfs } => {
-            let refined = refine(curve, gap_to_lfs, progress)?;
+            let refined = refine(curve, Gaps::new(gap_to_lfs, gap_to_lfs_of_many)?, progress)?;
             match estimator {
                 Estimator::Voronoi => Ok(refined),
                 Estimator::ShrinkingBall => {
@@ -200,32 +200,32 @@ pub fn measure_with(
     }
 }
 
-/// Splits gaps until none is longer than `ratio` of the lfs at its ends.
+/// Splits gaps until none is longer than what is allowed at its ends.
 fn refine(
     curve: &Curve,
-    ratio: f64,
+    gaps: Gaps,
     progress: Progress<'_>,
 ) -> Result<MeasuredCurve, MedialAxisError> {
-    let (axis, coarse) = refine_axis(curve, ratio, progress)?;
+    let (axis, coarse) = refine_axis(curve, gaps, progress)?;
     // What lfs was found to be decides at once on most of the points.
-    let wanted = parts(curve, coarse.dense(), coarse.lfs(), ratio);
+    let (wanted, _) = parts(curve, coarse.dense(), coarse.lfs(), gaps);
     let dense = coarse.dense().refined(curve, &pieces(&wanted))?;
-    settle(curve, dense, ratio, progress, |dense| {
+    settle(curve, dense, gaps, progress, |dense| {
         Ok(LocalFeatureSize::new(dense, &axis))
     })
 }
 
-/// Splits gaps until none is longer than `ratio` of what `lfs` finds at its ends.
+/// Splits gaps until none is longer than what is allowed by what `lfs` finds at its ends.
 pub(crate) fn settle(
     curve: &Curve,
     mut dense: DenseCurve,
-    ratio: f64,
+    gaps: Gaps,
     progress: Progress<'_>,
     lfs: impl Fn(&DenseCurve) -> Result<LocalFeatureSize, MedialAxisError>,
 ) -> Result<MeasuredCurve, MedialAxisError> {
     loop {
         let found = lfs(&dense)?;
-        let parts = parts(curve, &dense, &found, ratio);
+        let (parts, _) = parts(curve, &dense, &found, gaps);
         report(progress, &parts, 1.0);
         let pieces = pieces(&parts);
         if pieces.iter().all(|&n| n == 1) {
@@ -235,34 +235,29 @@ pub(crate) fn settle(
     }
 }
 
-/// The medial axis, precise enough for points whose gaps are `ratio` of lfs, and the points that it
-/// is of, with an lfs that takes no account yet of the centres of curvature at joins.
+/// The medial axis, precise enough for points with these gaps, and the points that it is of, with
+/// an lfs that takes no account yet of the centres of curvature at joins.
 pub(crate) fn refine_axis(
     curve: &Curve,
-    ratio: f64,
+    gaps: Gaps,
     progress: Progress<'_>,
 ) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
-    if !(ratio > 0.0 && ratio <= 1.0) {
-        return Err(MedialAxisError::GapToLfs(ratio));
-    }
-    let coarse = ratio.max((AXIS_GAPS * ratio).min(AXIS_RATIO));
-    let report = |parts: &[f64]| report(progress, parts, coarse / ratio);
-    let (mut axis, measured) = coarse_axis(curve, coarse, &report)?;
-    axis.extend(curvature::centres_at_joins(curve, measured.dense(), coarse));
-    Ok((axis, measured))
+    let coarse = gaps.of_axis();
+    let more = gaps.times_more_than(coarse);
+    coarse_axis(curve, coarse, &|parts| report(progress, parts, more))
 }
 
-/// The medial axis of points at most `ratio` of their lfs apart, and these with their lfs.
+/// The medial axis of points with these gaps, and the points with their lfs.
 fn coarse_axis(
     curve: &Curve,
-    ratio: f64,
+    gaps: Gaps,
     report: &dyn Fn(&[f64]),
 ) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
     let mut dense = start(curve)?;
     let mut round = 0;
     loop {
-        let (axis, spanning) = MedialAxis::with_spanning_gaps(&dense)?;
+        let (mut axis, spanning) = MedialAxis::with_spanning_gaps(&dense)?;
         let lfs = LocalFeatureSize::new(&dense, &axis);
         let overlapping = round >= OVERLAP_ROUNDS && 2 * spanning.len() > dense.len();
         let hopeless = |&i: &usize| overlapping || chord(&dense, i).length() < distance;
@@ -279,13 +274,14 @@ fn coarse_axis(
             let at = dense.points()[i];
             return Err(MedialAxisError::Touching { at, distance });
         }
-        let parts = parts(curve, &dense, &lfs, ratio);
+        let (parts, allowed) = parts(curve, &dense, &lfs, gaps);
         report(&parts);
         let mut pieces = pieces(&parts);
         for gap in spanning {
             pieces[gap] = pieces[gap].max(2);
         }
         if pieces.iter().all(|&n| n == 1) {
+            axis.extend(curvature::centres_at_joins(curve, &dense, allowed));
             return Ok((axis, MeasuredCurve::from_parts(dense, lfs)));
         }
         dense = dense.refined(curve, &pieces)?;
@@ -320,18 +316,22 @@ fn start(curve: &Curve) -> Result<DenseCurve, MedialAxisError> {
     Ok(ends.refined(curve, &pieces)?)
 }
 
-/// Into how many parts, 1 or more, the gap after each point would be split at once.
-fn parts(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, ratio: f64) -> Vec<f64> {
-    (0..dense.len())
-        .map(|i| {
-            let Some(next) = dense.next(i) else {
-                return 1.0;
-            };
-            let radius = curvature::least_radius(curve, dense.params()[i], dense.params()[next]);
-            let allowed = ratio * lfs.at(i).min(lfs.at(next)).min(radius);
-            (chord(dense, i).length() / allowed).ceil().max(1.0)
-        })
-        .collect()
+/// Into how many parts, 1 or more, the gap after each point would be split at once, and the
+/// fraction of lfs that is allowed.
+fn parts(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, gaps: Gaps) -> (Vec<f64>, f64) {
+    let gap_to_lfs = |i| {
+        let Some(next) = dense.next(i) else {
+            return 0.0;
+        };
+        let radius = curvature::least_radius(curve, dense.params()[i], dense.params()[next]);
+        chord(dense, i).length() / lfs.at(i).min(lfs.at(next)).min(radius)
+    };
+    let mut parts: Vec<f64> = (0..dense.len()).map(gap_to_lfs).collect();
+    let allowed = gaps.allowed(parts.iter().sum());
+    for part in &mut parts {
+        *part = (*part / allowed).ceil().max(1.0);
+    }
+    (parts, allowed)
 }
 
 /// Into how many parts each gap is to be split next.

@@ -28,6 +28,7 @@ mod crossing;
 mod curvature;
 pub mod discretise;
 pub mod error;
+mod gaps;
 pub mod lfs;
 pub mod pieces;
 pub mod shrinking_ball;

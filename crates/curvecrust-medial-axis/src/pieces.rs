@@ -29,6 +29,7 @@ use crate::axis::MedialAxis;
 use crate::crossing::chord;
 use crate::discretise::{GAP_TO_LFS, MeasuredCurve, TOUCHING, refine_axis, settle};
 use crate::error::MedialAxisError;
+use crate::gaps::Gaps;
 use crate::lfs::LocalFeatureSize;
 
 /// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
@@ -45,6 +46,9 @@ pub struct MeasurePiecesOptions<'a> {
     /// The largest gap between dense points as a fraction of the lfs at both, above 0 and at most
     /// 1; 0.02 by default.
     pub gap_to_lfs: f64,
+    /// Where these gaps would make more than 250,000 dense points of one smooth part, gaps grow up
+    /// to this fraction of lfs, if it is the larger one; 0 by default, which keeps them.
+    pub gap_to_lfs_of_many: f64,
     /// Hears how many smooth parts have their medial axis, of how many.
     pub progress: Progress<'a>,
 }
@@ -53,6 +57,7 @@ impl Default for MeasurePiecesOptions<'_> {
     fn default() -> Self {
         Self {
             gap_to_lfs: GAP_TO_LFS,
+            gap_to_lfs_of_many: 0.0,
             progress: Progress::default(),
         }
     }
@@ -94,14 +99,16 @@ pub fn measure_pieces_with(
 ) -> Result<MeasuredCurve, MedialAxisError> {
     let MeasurePiecesOptions {
         gap_to_lfs,
+        gap_to_lfs_of_many,
         progress,
     } = *options;
+    let gaps = Gaps::new(gap_to_lfs, gap_to_lfs_of_many)?;
     let smooth = split.smooth_parts();
     let total = smooth.len();
     let mut parts = Vec::with_capacity(total);
     for (pieces, curve) in smooth {
         progress.report(parts.len(), total);
-        let (axis, measured) = refine_axis(&curve, gap_to_lfs, Progress::default())?;
+        let (axis, measured) = refine_axis(&curve, gaps, Progress::default())?;
         parts.push(Part {
             pieces,
             curve,
@@ -115,7 +122,7 @@ pub fn measure_pieces_with(
     loop {
         let outlines = outlines(split, &parts);
         for part in &mut parts {
-            part.settle(split, &outlines, gap_to_lfs, least)?;
+            part.settle(split, &outlines, gaps, least)?;
         }
         // With the points of the outlines, distances to them have settled.
         let now = parts.iter().map(|part| part.measured.dense().len()).sum();
@@ -214,7 +221,7 @@ impl Part {
         &mut self,
         split: &SplitCurve,
         outlines: &[Outline],
-        gap_to_lfs: f64,
+        gaps: Gaps,
         least: f64,
     ) -> Result<(), MedialAxisError> {
         let neighbours: Vec<Vec<Neighbour>> = self
@@ -223,42 +230,36 @@ impl Part {
             .map(|&piece| self.neighbours(split, outlines, piece))
             .collect();
         let dense = self.measured.dense().clone();
-        self.measured = settle(
-            &self.curve,
-            dense,
-            gap_to_lfs,
-            Progress::default(),
-            |dense| {
-                let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
-                for (component, neighbours) in dense.components().iter().zip(&neighbours) {
-                    let range = component.range.clone();
-                    let points = &dense.points()[range.clone()];
-                    let values = &mut values[range];
-                    if neighbours.iter().any(Neighbour::meets_sharply) {
-                        let length: f64 = points.windows(2).map(|p| p[0].distance(p[1])).sum();
-                        for value in &mut *values {
-                            *value = value.min(length / 2.0);
-                        }
+        self.measured = settle(&self.curve, dense, gaps, Progress::default(), |dense| {
+            let mut values = LocalFeatureSize::new(dense, &self.axis).values().to_vec();
+            for (component, neighbours) in dense.components().iter().zip(&neighbours) {
+                let range = component.range.clone();
+                let points = &dense.points()[range.clone()];
+                let values = &mut values[range];
+                if neighbours.iter().any(Neighbour::meets_sharply) {
+                    let length: f64 = points.windows(2).map(|p| p[0].distance(p[1])).sum();
+                    for value in &mut *values {
+                        *value = value.min(length / 2.0);
                     }
-                    for (value, &p) in values.iter_mut().zip(points) {
-                        for neighbour in neighbours {
-                            if neighbour.at_least / 2.0 >= *value {
-                                break;
-                            }
-                            *value = neighbour.bound(p, *value).unwrap_or(*value);
+                }
+                for (value, &p) in values.iter_mut().zip(points) {
+                    for neighbour in neighbours {
+                        if neighbour.at_least / 2.0 >= *value {
+                            break;
                         }
+                        *value = neighbour.bound(p, *value).unwrap_or(*value);
                     }
-                    make_lipschitz(points, values, component.closed);
                 }
-                match values.iter().position(|&value| value < least) {
-                    None => Ok(LocalFeatureSize::from_values(values)),
-                    Some(i) => Err(MedialAxisError::Touching {
-                        at: dense.points()[i],
-                        distance: least,
-                    }),
-                }
-            },
-        )?;
+                make_lipschitz(points, values, component.closed);
+            }
+            match values.iter().position(|&value| value < least) {
+                None => Ok(LocalFeatureSize::from_values(values)),
+                Some(i) => Err(MedialAxisError::Touching {
+                    at: dense.points()[i],
+                    distance: least,
+                }),
+            }
+        })?;
         Ok(())
     }
 

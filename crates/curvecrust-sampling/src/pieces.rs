@@ -91,9 +91,10 @@ pub fn sample_split_with(
         every_start,
         progress,
     } = options;
-    let measured = |gap_to_lfs| {
+    let measured = |gap_to_lfs, gap_to_lfs_of_many| {
         let options = MeasurePiecesOptions {
             gap_to_lfs,
+            gap_to_lfs_of_many,
             progress,
         };
         measure_pieces_with(split, &options)

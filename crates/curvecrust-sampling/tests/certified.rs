@@ -11,8 +11,8 @@ use curvecrust_medial_axis::{
     MedialAxisError, measure_with,
 };
 use curvecrust_sampling::{
-    Bound, Condition, SampleOptions, SampledCurve, SamplingError, sample, sample_at_dense_points,
-    sample_curve, sample_curve_with,
+    Bound, Condition, PlacedSamples, SampleOptions, SampledCurve, SamplingError, check, sample,
+    sample_at_dense_points, sample_curve, sample_curve_with,
 };
 use curvecrust_testing::curves::random_closed;
 use curvecrust_testing::fixtures;
@@ -280,4 +280,22 @@ fn curves_are_as_fine_as_the_bound_asks_for() {
             "{bound}: {largest}"
         );
     }
+}
+
+/// Two long strands near to each other: gaps grow to 0.1 of the bound times lfs, which costs few
+/// samples; and these hold by lfs at gaps of 0.02.
+#[test]
+fn many_dense_points_are_farther_apart() {
+    let ellipse =
+        |rx: f64, ry: f64| format!("M {rx} 0 A {rx} {ry} 0 1 1 -{rx} 0 A {rx} {ry} 0 1 1 {rx} 0 Z");
+    let curve = Curve::from_path_data(&(ellipse(40.0, 20.0) + &ellipse(39.96, 19.96))).unwrap();
+    let rho = Condition::rho(0.9).unwrap();
+    let few = sample_curve(&curve, rho).unwrap();
+    let fine = measured(&curve, 0.02);
+    assert!(3 * few.measured.dense().len() < 2 * fine.dense().len());
+    let fewer = sample(&fine, rho).unwrap().samples.len();
+    assert!(100 * few.samples.len() < 105 * fewer);
+    let placed = PlacedSamples::project(&fine, few.samples.points(), 1e-6).unwrap();
+    let verdict = check(&fine, &placed.samples, rho);
+    assert!(verdict.holds() && verdict.certain, "{:?}", verdict.worst);
 }

@@ -296,6 +296,7 @@ impl CurveSource {
             let options = MeasurePiecesOptions {
                 gap_to_lfs,
                 progress: Progress::new(progress),
+                ..MeasurePiecesOptions::default()
             };
             measure_pieces_with(split, &options)
         });
