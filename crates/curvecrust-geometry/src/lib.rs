@@ -30,6 +30,8 @@ pub mod edge_set;
 mod hilbert;
 pub mod interrupt;
 pub mod merged_points;
+#[doc(hidden)]
+pub mod parallel;
 pub mod point_id;
 pub mod point_set;
 pub mod predicates;

@@ -1,6 +1,6 @@
 //! A sort of 64-bit numbers by their upper halves, in time linear in their number.
 
-use rayon::prelude::*;
+use crate::parallel::*;
 
 /// Fewer numbers than this are compared: counting 256 digits costs more.
 const FEW: usize = 256;

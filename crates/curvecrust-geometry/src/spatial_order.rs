@@ -1,7 +1,7 @@
 //! An order of the points in which neighbours in the plane are close to each other.
 
+use crate::parallel::*;
 use glam::DVec2;
-use rayon::prelude::*;
 
 use crate::hilbert;
 use crate::point_id::PointId;

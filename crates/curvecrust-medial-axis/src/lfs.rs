@@ -3,8 +3,8 @@
 use std::ops::RangeInclusive;
 
 use curvecrust_curve::DenseCurve;
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{DVec2, Interrupt, SegmentTree};
-use rayon::prelude::*;
 
 use crate::axis::MedialAxis;
 

@@ -10,7 +10,7 @@
 
 use curvecrust_curve::DenseCurve;
 use curvecrust_geometry::DVec2;
-use rayon::prelude::*;
+use curvecrust_geometry::parallel::*;
 use rstar::RTree;
 
 use crate::lfs::LocalFeatureSize;

@@ -12,9 +12,9 @@
 //! Voronoi vertices of slivers on the hull, false edges of the hull would stay. Cost: that of the
 //! Delaunay triangulation, O(n log n), plus a search around each edge.
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 use curvecrust_voronoi::Delaunay;
-use rayon::prelude::*;
 
 use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
 use crate::delaunay_edges::is_crust_edge;

@@ -9,8 +9,8 @@ mod lanes;
 mod search;
 mod tree;
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{EdgeSet, Interrupt, PointId, PointSet, hilbert_order};
-use rayon::prelude::*;
 
 use kernel::{Choice, TASK};
 use search::NONE;

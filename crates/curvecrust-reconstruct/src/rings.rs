@@ -1,10 +1,10 @@
 //! Orientation and nesting of closed polygons, by exact signs.
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Chain, DVec2, PointId, PointSet, orient2d};
 use num_bigint::BigInt;
 use num_traits::Signed;
-use rayon::prelude::*;
 use rstar::{AABB, RTree, RTreeObject};
 
 use crate::exact::{common_exponent, cross, integer};

@@ -1,8 +1,8 @@
 //! The skeleton that the one-step crust leaves over: a medial axis from samples alone.
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{DVec2, PointId, PointSet, Segment};
 use curvecrust_voronoi::{Delaunay, DualEdge};
-use rayon::prelude::*;
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
 /// The farthest that the skeleton is looked for: squares of distances stay finite.

@@ -4,9 +4,9 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
-use rayon::prelude::*;
 
 use crate::frame::Frame;
 use crate::pencil::{Cut, Effect, Pencil};

@@ -13,7 +13,7 @@ use curvecrust_reconstruct::{LeastDetour, Reconstructor};
 
 use crate::condition::Condition;
 use crate::error::SamplingError;
-use crate::pieces::{SplitOptions, sample_measured, sample_split_with};
+use crate::pieces::{SplitOptions, sample_pieces, sample_split_with};
 use crate::sampled_curve::SampledCurve;
 use crate::sampling::Sampling;
 
@@ -96,7 +96,6 @@ pub fn sample_decoded_with(
     let asked = sample_split_with(split, condition, &options.sampling)?;
     let count = asked.samples.len();
     let alone = split.is_apart();
-    let every_start = options.sampling.every_start;
     let mut share = TIGHTER;
     let mut sampling = asked.clone();
     loop {
@@ -115,7 +114,7 @@ pub fn sample_decoded_with(
         }
         let tighter = condition.with_value(share * condition.bound().value());
         // What was measured is fine enough, or else it would be for too many samples.
-        match sample_measured(split, &asked.measured, tighter, every_start) {
+        match sample_pieces(split, &asked.measured, tighter, &options.sampling) {
             Ok(finer) => sampling = finer,
             Err(_) => break,
         }

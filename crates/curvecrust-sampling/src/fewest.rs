@@ -30,8 +30,8 @@
 //! from any start. Cost: O(n log n).
 
 use curvecrust_geometry::Interrupt;
+use curvecrust_geometry::parallel::*;
 use curvecrust_medial_axis::MeasuredCurve;
-use rayon::prelude::*;
 
 use crate::arcs::Arcs;
 use crate::certified::{certified, walk};

@@ -66,7 +66,7 @@ pub use error::{SAMPLE_LIMIT, SamplingError};
 pub use fewest::{sample_fewest, sample_fewest_with};
 pub use noise::{Noise, NoiseShape, NoiseSize, Outliers, with_noise, with_outliers};
 pub use on_pieces::{OnPieces, project_on_pieces};
-pub use pieces::{SplitOptions, sample_split, sample_split_with};
+pub use pieces::{SplitOptions, sample_pieces, sample_split, sample_split_with};
 pub use placed::{PlacedSamples, Placement, Projected};
 pub use sampled_curve::{ClosingInterval, SampledCurve};
 pub use sampling::{SampleOptions, Sampling};

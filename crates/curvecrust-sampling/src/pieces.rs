@@ -12,9 +12,11 @@
 //! - A piece is sampled with the smallest bound that needs no more samples. So they are spread
 //!   evenly, and none is left over close to the corner.
 
-use curvecrust_curve::SplitCurve;
+use curvecrust_curve::{DenseCurve, DenseError, SplitCurve};
 use curvecrust_geometry::Progress;
-use curvecrust_medial_axis::{MeasurePiecesOptions, MeasuredCurve, measure_pieces_with};
+use curvecrust_medial_axis::{
+    MeasurePiecesOptions, MeasuredCurve, MedialAxisError, measure_pieces_with,
+};
 
 use crate::arcs::Arcs;
 use crate::certified::{as_finely_as_needed, certified, walk};
@@ -87,10 +89,7 @@ pub fn sample_split_with(
     condition: Condition,
     options: &SplitOptions<'_>,
 ) -> Result<Sampling, SamplingError> {
-    let &SplitOptions {
-        every_start,
-        progress,
-    } = options;
+    let progress = options.progress;
     let measured = |gap_to_lfs, gap_to_lfs_of_many| {
         let options = MeasurePiecesOptions {
             gap_to_lfs,
@@ -100,23 +99,68 @@ pub fn sample_split_with(
         measure_pieces_with(split, &options)
     };
     as_finely_as_needed(condition, measured, |measured| {
-        sample_measured(split, measured, condition, every_start)
+        sample_pieces(split, measured, condition, options)
     })
 }
 
-/// Samples a curve whose pieces have been measured.
-pub(crate) fn sample_measured(
+/// [`sample_split_with`] of pieces that [were measured](curvecrust_medial_axis::measure_pieces)
+/// already: to sample them by one condition after another. The progress is not heard.
+///
+/// ```
+/// use curvecrust_curve::SplitCurve;
+/// use curvecrust_medial_axis::measure_pieces;
+/// use curvecrust_sampling::{Condition, SplitOptions, sample_pieces, sample_split};
+///
+/// let square = SplitCurve::from_path_data("M 0 0 H 4 V 4 H 0 Z")?;
+/// let measured = measure_pieces(&square)?;
+/// let rho = Condition::rho(0.9)?;
+/// let samples = sample_pieces(&square, &measured, rho, &SplitOptions::default())?;
+/// assert_eq!(samples, sample_split(&square, rho)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`Measure`](SamplingError::Measure) if these are not the pieces of the curve,
+/// [`TooCoarse`](SamplingError::TooCoarse) and [`TooMany`](SamplingError::TooMany) as of
+/// [`sample`](crate::sample).
+pub fn sample_pieces(
     split: &SplitCurve,
     measured: &MeasuredCurve,
     condition: Condition,
-    every_start: bool,
+    options: &SplitOptions<'_>,
 ) -> Result<Sampling, SamplingError> {
-    let of_pieces = sample_pieces(split, measured, condition, every_start)?;
+    are_pieces(split, measured.dense()).map_err(MedialAxisError::from)?;
+    let of_pieces = sample_each(split, measured, condition, options.every_start)?;
     Ok(joined(split, of_pieces))
 }
 
+/// Whether dense points are of the pieces of a curve: from start to end of each.
+fn are_pieces(split: &SplitCurve, dense: &DenseCurve) -> Result<(), DenseError> {
+    let pieces = split.pieces().components();
+    if dense.components().len() != pieces.len() {
+        return Err(DenseError::Lengths {
+            points: dense.len(),
+            other: dense.components().len(),
+            what: "components that are not the pieces of the curve",
+        });
+    }
+    for (piece, component) in pieces.iter().zip(dense.components()) {
+        let points = &dense.points()[component.range.clone()];
+        let end = points.last().copied();
+        let fits = component.closed == piece.is_closed()
+            && points.len() >= 2
+            && points.first() == piece.segments().first().map(|s| s.start()).as_ref()
+            && (component.closed || end == piece.segments().last().map(|s| s.end()));
+        if !fits {
+            let index = component.range.start;
+            return Err(DenseError::Param { index });
+        }
+    }
+    Ok(())
+}
+
 /// The samples of all pieces.
-fn sample_pieces(
+fn sample_each(
     split: &SplitCurve,
     measured: &MeasuredCurve,
     condition: Condition,

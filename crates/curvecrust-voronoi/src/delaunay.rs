@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, Interrupt, PointId, PointSet, orient2d};
-use rayon::prelude::*;
 use spade::handles::{FaceHandle, InnerTag};
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 

@@ -114,11 +114,15 @@ async function samples(page) {
   assert.ok(parseInt(after, 10) > parseInt(before, 10), `${before} / ${after}`);
   await page.locator("#rho").fill("0.95");
   assert.match(await text(page, "#guarantee"), /nothing is guaranteed/);
-  await drop(page, "bad.svg", "<svg xmlns='http://www.w3.org/2000/svg'><path d='M 0 0 H 1 V 1'/></svg>");
+  await drop(page, "bad.svg", "<svg xmlns='http://www.w3.org/2000/svg'><path d='M 0 0 H'/></svg>");
   assert.ok(await page.locator("#message").isVisible());
   await page.locator("#rho").fill("0.9");
   await settle(page);
   assert.equal(parseInt(await text(page, "#sample-caption"), 10), parseInt(before, 10));
+  // As icons are: a rectangle with corners, moved.
+  const icon = "<svg xmlns='http://www.w3.org/2000/svg'><g transform='scale(3)'><rect width='9' height='5'/></g></svg>";
+  await drop(page, "icon.svg", icon);
+  assert.match(await text(page, "#sample-caption"), /least-detour returns it exactly, 4 corners/);
 }
 
 async function drawing(page) {

@@ -1,4 +1,4 @@
-// The view that samples a smooth curve under a condition.
+// The view that samples a curve under a condition.
 
 import { Lane } from "./engine.js";
 import { Plot, boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
@@ -140,14 +140,18 @@ async function update() {
   });
 }
 
+const counted = (count, one) => `${count} ${count === 1 ? one : `${one}s`}`;
+
 function caption(answer) {
   const share = (100 * answer.hausdorff) / curve.extent;
   return [
     `${answer.samples.length / 2} samples`,
     `their polygon is within ${share.toFixed(2)} % of the curve`,
-    `HNN-Crust ${answer.exact ? "returns it exactly" : "does not return it"}`,
+    `${answer.decoder} ${answer.exact ? "returns it exactly" : "does not return it"}`,
+    curve.corners ? `${counted(curve.corners, "corner")}, which no theorem covers` : "",
+    curve.cuts ? `cut in ${counted(curve.cuts, "place")} where strokes touch` : "",
     `${answer.milliseconds.toFixed(1)} ms`,
-  ].join(", ");
+  ].filter(Boolean).join(", ");
 }
 
 /** What is known of a bound; docs/theory.md has the proofs and the counterexample. */

@@ -5,7 +5,6 @@
 //! slider measures nothing again. Every answer is a result or an error in words; none is a panic.
 //! `cargo xtask web` builds the page.
 
-mod drawing;
 mod engine;
 mod error;
 mod exports;

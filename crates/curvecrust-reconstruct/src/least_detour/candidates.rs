@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use curvecrust_geometry::PointSet;
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_voronoi::Delaunay;
-use rayon::prelude::*;
 
 use crate::delaunay_edges::has_length;
 

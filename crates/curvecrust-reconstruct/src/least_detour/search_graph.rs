@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
+use curvecrust_geometry::parallel::*;
 
 use super::candidates::Candidates;
 use super::certificates::{Certificates, NONE};

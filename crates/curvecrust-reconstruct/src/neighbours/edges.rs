@@ -2,8 +2,8 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::{Edge, EdgeSet};
-use rayon::prelude::*;
 
 use super::kernel::Choice;
 use super::search::NONE;
@@ -48,12 +48,11 @@ pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
             Vec::new()
         }
         Keep::Union => {
-            let found = points.fold(Vec::new, |mut to_smaller, (at, &s)| {
-                let smaller = report(at, s).into_iter().filter(|&id| id < s);
-                to_smaller.extend(smaller.filter_map(|id| Edge::new(s.into(), id.into())));
-                to_smaller
+            let found = points.flat_map_iter(|(at, &s)| {
+                let smaller = report(at, s).into_iter().filter(move |&id| id < s);
+                smaller.filter_map(move |id| Edge::new(s.into(), id.into()))
             });
-            found.flatten_iter().collect()
+            found.collect()
         }
     };
     let mut edges = ascending(&slots);

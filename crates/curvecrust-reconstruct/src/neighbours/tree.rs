@@ -1,7 +1,7 @@
 //! An implicit tree of bounding boxes over points in spatial order.
 
 use curvecrust_geometry::DVec2;
-use rayon::prelude::*;
+use curvecrust_geometry::parallel::*;
 
 use super::bounds::{Bounds, Rect};
 use super::lanes::{WIDTH, bits, compiled_for_each_processor, indices, least, most, reduce};

@@ -1,9 +1,9 @@
 //! The pairs of points that a search tries to join.
 
 use curvecrust_geometry::PointSet;
+use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_voronoi::Delaunay;
-use rayon::prelude::*;
 
 use crate::adjacency::Adjacency;
 

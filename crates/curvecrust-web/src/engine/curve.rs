@@ -1,13 +1,12 @@
-//! A smooth curve that was loaded, and its samples.
+//! A curve that was loaded, and its samples; corners are samples.
 
-use crate::drawing;
 use crate::error::Error;
 use crate::message::Answer;
-use curvecrust::curve::Curve;
+use curvecrust::curve::{SplitCurve, strands};
 use curvecrust::evaluate::Reference;
-use curvecrust::medial_axis::{MeasuredCurve, MedialAxis, measure};
-use curvecrust::reconstruct::{HnnCrust, Reconstructor};
-use curvecrust::sampling::{Condition, Sampling, sample, sample_curve, sample_fewest};
+use curvecrust::medial_axis::{MeasuredCurve, MedialAxis, measure_pieces, strokes_of};
+use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
+use curvecrust::sampling::{Condition, Sampling, SplitOptions, sample_pieces, sample_split_with};
 use serde::{Deserialize, Serialize};
 
 /// How exactly distances are computed, as a share of the extent.
@@ -51,36 +50,57 @@ struct Count {
 /// A curve with all that its samples need.
 #[derive(Debug)]
 pub(super) struct Loaded {
-    curve: Curve,
-    measured: MeasuredCurve,
+    /// Cut where strokes touch or cross.
+    split: SplitCurve,
+    /// How many places it was cut at.
+    cuts: usize,
+    pieces: MeasuredCurve,
+    /// The same dense points on whole strokes.
+    strokes: MeasuredCurve,
     axis: MedialAxis,
     reference: Reference,
+    decoder: &'static dyn Reconstructor,
 }
 
 impl Loaded {
     pub(super) fn new(source: &Source) -> Result<Self, Error> {
-        let curve = match source {
-            Source::Svg(text) => drawing::curve(text).map_err(Error::File)?,
-            Source::Path(d) => Curve::from_path_data(d)?,
+        let split = match source {
+            Source::Svg(text) => SplitCurve::from_svg(text)?,
+            Source::Path(d) => SplitCurve::from_path_data(d)?,
         };
-        let measured = measure(&curve)?;
+        let (split, cuts, pieces) = measured(split)?;
+        let strokes = strokes_of(&split, &pieces)?;
+        let smooth = split.corners().is_empty() && split.components().iter().all(|c| c.closed);
         Ok(Self {
-            axis: MedialAxis::new(measured.dense())?,
-            reference: Reference::of_curve(&curve, 0.1 * TOLERANCE * curve.extent()),
-            curve,
-            measured,
+            axis: MedialAxis::new(strokes.dense())?,
+            reference: Reference::of_curve(
+                split.pieces(),
+                0.1 * TOLERANCE * split.pieces().extent(),
+            ),
+            // No theorem covers corners and ends.
+            decoder: if smooth {
+                &HnnCrust::MUTUAL
+            } else {
+                &LeastDetour
+            },
+            split,
+            cuts,
+            pieces,
+            strokes,
         })
     }
 
     /// The dense points with their lfs, and the medial axis.
     pub(super) fn describe(&self) -> Answer {
         let mut answer = Answer::default();
-        let (low, high) = self.curve.bounding_box();
+        let (low, high) = self.split.pieces().bounding_box();
         answer.value("box", [low.x, low.y, high.x, high.y]);
-        answer.value("extent", self.curve.extent());
-        let dense = self.measured.dense();
+        answer.value("extent", self.split.pieces().extent());
+        answer.value("corners", self.split.corners().len());
+        answer.value("cuts", self.cuts);
+        let dense = self.strokes.dense();
         answer.points("dense", dense.points().iter().copied());
-        answer.array("lfs", self.measured.lfs().values().iter().copied());
+        answer.array("lfs", self.strokes.lfs().values().iter().copied());
         let components = dense.components().iter();
         answer.indices(
             "components",
@@ -93,8 +113,9 @@ impl Loaded {
 
     /// Samples, the distance of their polygon, and what they attain.
     pub(super) fn sample(&self, wanted: Wanted) -> Result<Answer, Error> {
-        let condition = wanted.on(&self.curve)?;
-        let sampling = self.greedy(condition)?;
+        let extent = self.split.pieces().extent();
+        let condition = wanted.on(extent)?;
+        let sampling = self.samples(condition, false)?;
         let samples = &sampling.samples;
         let mut answer = Answer::default();
         answer.points("samples", samples.points().iter().copied());
@@ -107,20 +128,24 @@ impl Loaded {
             answer.value("attained", attained.at_most);
         }
         let polygon = samples.manifold_boundary();
-        let tolerance = TOLERANCE * self.curve.extent();
+        let tolerance = TOLERANCE * extent;
         let points = samples.point_set()?;
-        let found = HnnCrust::MUTUAL.reconstruct(&points);
-        answer.value("exact", found == polygon);
+        answer.value("decoder", self.decoder.info().name);
+        answer.value("exact", self.decoder.reconstruct(&points) == polygon);
         let distances = self.reference.distances(&points, &polygon, tolerance);
         answer.value("hausdorff", distances.hausdorff.distance().upper);
         Ok(answer)
     }
 
     /// At the dense points that are there, which costs least; at more, if the bound needs them.
-    fn greedy(&self, condition: Condition) -> Result<Sampling, Error> {
-        match sample(&self.measured, condition) {
+    fn samples(&self, condition: Condition, every_start: bool) -> Result<Sampling, Error> {
+        let options = SplitOptions {
+            every_start,
+            ..SplitOptions::default()
+        };
+        match sample_pieces(&self.split, &self.pieces, condition, &options) {
             Ok(sampling) => Ok(sampling),
-            Err(_) => Ok(sample_curve(&self.curve, condition)?),
+            Err(_) => Ok(sample_split_with(&self.split, condition, &options)?),
         }
     }
 
@@ -128,38 +153,52 @@ impl Loaded {
     pub(super) fn counts(&self) -> Result<Answer, Error> {
         let epsilon = |bound| Condition::epsilon(bound);
         let rho = Condition::rho(0.9)?;
-        let greedy = |condition| {
-            let sampling = self.greedy(condition);
-            sampling.map(|sampling| sampling.samples.len()).ok()
+        let count = |bound, condition, every_start| Count {
+            bound,
+            samples: self
+                .samples(condition, every_start)
+                .map(|sampling| sampling.samples.len())
+                .ok(),
         };
-        let fewest = sample_fewest(&self.measured, rho);
-        let count = |bound, samples| Count { bound, samples };
         let mut answer = Answer::default();
         answer.value(
             "counts",
             [
-                count("ε < 1/3", greedy(epsilon(1.0 / 3.0)?)),
-                count("ε < 0.47", greedy(epsilon(0.47)?)),
-                count("ρ < 0.9", greedy(rho)),
-                count(
-                    "fewest, ρ < 0.9",
-                    fewest.map(|found| found.samples.len()).ok(),
-                ),
+                count("ε < 1/3", epsilon(1.0 / 3.0)?, false),
+                count("ε < 0.47", epsilon(0.47)?, false),
+                count("ρ < 0.9", rho, false),
+                count("fewest, ρ < 0.9", rho, true),
             ],
         );
         Ok(answer)
     }
 }
 
+/// The local feature size of a curve; of what is left of it when it is cut where strokes touch or
+/// cross, if they do, and how many places these are.
+fn measured(split: SplitCurve) -> Result<(SplitCurve, usize, MeasuredCurve), Error> {
+    let touching = match measure_pieces(&split) {
+        Ok(pieces) => return Ok((split, 0, pieces)),
+        Err(error) if error.touch().is_some() => error,
+        Err(error) => return Err(error.into()),
+    };
+    let cut = strands(&split)?;
+    if cut.places.is_empty() {
+        return Err(touching.into());
+    }
+    let pieces = measure_pieces(&cut.curve)?;
+    Ok((cut.curve, cut.places.len(), pieces))
+}
+
 impl Wanted {
-    fn on(self, curve: &Curve) -> Result<Condition, Error> {
+    fn on(self, extent: f64) -> Result<Condition, Error> {
         let condition = match self.condition {
             Name::Epsilon => Condition::epsilon(self.bound)?,
             Name::Rho => Condition::rho(self.bound)?,
         };
         Ok(match self.limit {
             None => condition,
-            Some(share) => condition.with_hausdorff_limit(share * curve.extent())?,
+            Some(share) => condition.with_hausdorff_limit(share * extent)?,
         })
     }
 }
