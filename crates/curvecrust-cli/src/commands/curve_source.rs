@@ -6,7 +6,7 @@ use crate::input::{self, Source};
 use crate::output::Number;
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
-use curvecrust::curve::svg::{Drawing, Selection};
+use curvecrust::curve::svg::{Drawing, ElementName, Selection};
 use curvecrust::curve::{Curve, CurveError, SplitCurve, Strands, strands};
 use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::{
@@ -188,23 +188,38 @@ impl CurveSource {
     fn drawing(&self, console: &Console) -> anyhow::Result<Drawing> {
         let drawing = Drawing::selected(&self.text()?, &self.selection);
         let drawing = drawing.with_context(|| self.name())?;
-        if let Some(first) = drawing.points().next() {
-            let (count, verb) = match drawing.points().len() {
-                1 => (
-                    String::from("a subpath of a single point"),
-                    "draws nothing and is",
-                ),
-                count => (
-                    format!("{count} elements with subpaths of a single point"),
-                    "draw nothing and are",
-                ),
-            };
-            console.note(format_args!(
-                "{}: {count}, which {verb} left out: {first}",
-                self.name()
-            ));
-        }
+        let points = (
+            "a subpath of a single point",
+            "elements with subpaths of a single point",
+        );
+        let unpainted = (
+            "an element with neither fill nor stroke",
+            "elements with neither fill nor stroke",
+        );
+        self.tell_of_left_out(points, drawing.points(), console);
+        self.tell_of_left_out(unpainted, drawing.unpainted(), console);
         Ok(drawing)
+    }
+
+    /// Tells of elements that draw nothing, called by a name for one and one for more.
+    fn tell_of_left_out<'a>(
+        &self,
+        (one, more): (&str, &str),
+        mut elements: impl ExactSizeIterator<Item = &'a ElementName>,
+        console: &Console,
+    ) {
+        let count = elements.len();
+        let Some(first) = elements.next() else {
+            return;
+        };
+        let (what, verb) = match count {
+            1 => (one.to_owned(), "draws nothing and is"),
+            count => (format!("{count} {more}"), "draw nothing and are"),
+        };
+        console.note(format_args!(
+            "{}: {what}, which {verb} left out: {first}",
+            self.name()
+        ));
     }
 
     fn text(&self) -> anyhow::Result<String> {

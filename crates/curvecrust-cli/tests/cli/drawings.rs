@@ -192,11 +192,15 @@ fn what_draws_nothing_is_told_and_elements_are_chosen() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg">
 <rect id="background" width="40" height="40"/>
 <circle class="ring" cx="9" cy="9" r="4"/>
-<path id="dot" d="M 1 1 Z"/></svg>"#;
+<path id="dot" d="M 1 1 Z"/>
+<path id="page" d="M 0 0 H 24 V 24 H 0 Z" stroke="none" fill="none"/></svg>"#;
     let folder = Folder::with("a.svg", svg);
     let run = folder.run("sample a.svg --rho 0.5 --exclude background --json");
     let says = "a.svg: a subpath of a single point, which draws nothing and is left out: \
                 <path id=\"dot\"> in line 4";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+    let says = "a.svg: an element with neither fill nor stroke, which draws nothing and is left \
+                out: <path id=\"page\"> in line 5";
     assert!(run.stderr.contains(says), "{}", run.stderr);
     let found = json(&run.fine());
     assert_eq!(

@@ -1,4 +1,4 @@
-//! What style says of an element: whether it is displayed, and whether it is visible.
+//! What style says of an element: whether it is displayed, visible, and painted.
 //!
 //! Declarations count as in CSS: attributes first, then the rules of style sheets by their
 //! specificity, then the `style` attribute; each replaces those before it, but for those that are
@@ -15,7 +15,12 @@ pub(super) struct Style {
     pub(super) is_displayed: bool,
     /// `None`: as its parent.
     pub(super) is_visible: Option<bool>,
+    /// Whether its inside and its outline are painted, not `none`; `None`: as its parent.
+    pub(super) paints: [Option<bool>; 2],
 }
+
+/// The properties that count.
+const PROPERTIES: [&str; 4] = ["display", "visibility", "fill", "stroke"];
 
 /// The style sheets of a document.
 pub(super) struct Sheets<'a>(StyleSheet<'a>);
@@ -31,33 +36,35 @@ impl<'a> Sheets<'a> {
         // Rules without a declaration that counts here need not be compared with elements.
         sheet.rules.retain(|rule| {
             let mut declarations = rule.declarations.iter();
-            declarations.any(|d| matches!(d.name, "display" | "visibility"))
+            declarations.any(|d| PROPERTIES.contains(&d.name))
         });
         Self(sheet)
     }
 
     pub(super) fn of_element(&self, node: Node<'_, '_>) -> Style {
-        let mut display = Property::of("display", node);
-        let mut visibility = Property::of("visibility", node);
-        for rule in &self.0.rules {
-            if rule.selector.matches(&Styled(node)) {
-                for declaration in &rule.declarations {
-                    display.declare(declaration);
-                    visibility.declare(declaration);
-                }
+        let mut properties = PROPERTIES.map(|name| Property::of(name, node));
+        let rules = self.0.rules.iter();
+        let rules = rules.filter(|rule| rule.selector.matches(&Styled(node)));
+        let of_sheets = rules.flat_map(|rule| rule.declarations.iter().copied());
+        let own = DeclarationTokenizer::from(node.attribute("style").unwrap_or_default());
+        for declaration in of_sheets.chain(own) {
+            for property in &mut properties {
+                property.declare(declaration);
             }
         }
-        for declaration in DeclarationTokenizer::from(node.attribute("style").unwrap_or_default()) {
-            display.declare(&declaration);
-            visibility.declare(&declaration);
-        }
+        let [display, visibility, fill, stroke] = properties.map(|property| property.value);
+        let paint = |value| match value {
+            None | Some("inherit") => None,
+            value => Some(value != Some("none")),
+        };
         Style {
-            is_displayed: display.value != Some("none"),
-            is_visible: match visibility.value {
+            is_displayed: display != Some("none"),
+            is_visible: match visibility {
                 Some("visible") => Some(true),
                 Some("hidden" | "collapse") => Some(false),
                 _ => None,
             },
+            paints: [fill, stroke].map(paint),
         }
     }
 }
@@ -78,7 +85,7 @@ impl<'a> Property<'a> {
         }
     }
 
-    fn declare(&mut self, declaration: &Declaration<'a>) {
+    fn declare(&mut self, declaration: Declaration<'a>) {
         if declaration.name == self.name && (declaration.important || !self.is_important) {
             self.value = Some(declaration.value.trim());
             self.is_important = declaration.important;

@@ -39,6 +39,8 @@ pub struct Drawing {
     elements: Vec<ElementName>,
     /// Indices of elements.
     points: Vec<usize>,
+    /// Indices of elements.
+    unpainted: Vec<usize>,
 }
 
 impl Drawing {
@@ -81,7 +83,7 @@ impl Drawing {
         let nodes = drawn.components.iter().map(|(node, _)| node);
         // By their places, so that lines are counted in one go.
         let mut places = BTreeMap::new();
-        for node in nodes.chain(&drawn.points) {
+        for node in nodes.chain(&drawn.points).chain(&drawn.unpainted) {
             places.insert((node.range().start, node.id().get()), *node);
         }
         let (mut line, mut counted) = (1, 0);
@@ -107,6 +109,7 @@ impl Drawing {
                 .map(|(node, _)| index(node))
                 .collect(),
             points: drawn.points.iter().map(index).collect(),
+            unpainted: drawn.unpainted.iter().map(index).collect(),
             components: drawn.components.into_iter().map(|(_, path)| path).collect(),
             elements,
         }
@@ -155,6 +158,23 @@ impl Drawing {
     /// often as it is used.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &ElementName> {
         self.points.iter().map(|&index| &self.elements[index])
+    }
+
+    /// The elements whose fill and stroke both are `none`, by themselves or by what they are in:
+    /// they draw nothing and are left out; each as often as it is used. Where all are so, all are
+    /// drawn.
+    ///
+    /// ```
+    /// use curvecrust_curve::svg::Drawing;
+    ///
+    /// let svg = "<svg xmlns='http://www.w3.org/2000/svg' fill='none' stroke='blue'>
+    ///     <path id='page' stroke='none' d='M 0 0 H 9 V 9 Z'/><circle r='2'/></svg>";
+    /// let drawing = Drawing::new(svg)?;
+    /// assert_eq!((drawing.components().len(), drawing.unpainted().len()), (1, 1));
+    /// # Ok::<(), curvecrust_curve::CurveError>(())
+    /// ```
+    pub fn unpainted(&self) -> impl ExactSizeIterator<Item = &ElementName> {
+        self.unpainted.iter().map(|&index| &self.elements[index])
     }
 
     /// An error about components, with the element that draws them, if it is one.

@@ -36,7 +36,31 @@ pub(super) struct Drawn<'a, 'input> {
     pub(super) components: Vec<(Node<'a, 'input>, BezierPath)>,
     /// The elements that have subpaths without a length, as often as they are drawn.
     pub(super) points: Vec<Node<'a, 'input>>,
+    /// The elements without a paint that are left out, as often as they are used.
+    pub(super) unpainted: Vec<Node<'a, 'input>>,
+    /// Components that have no paint, by their indices.
+    without_paint: Vec<usize>,
     segments: usize,
+}
+
+impl Drawn<'_, '_> {
+    /// Leaves out what has no paint, where something has one: a document without any paint is for
+    /// its lines alone.
+    fn leave_out_unpainted(&mut self) {
+        if self.without_paint.len() == self.components.len() {
+            return;
+        }
+        let mut without_paint = self.without_paint.iter().copied().peekable();
+        let (mut index, unpainted) = (0, &mut self.unpainted);
+        self.components.retain(|(node, _)| {
+            let leave_out = without_paint.next_if_eq(&index).is_some();
+            if leave_out && unpainted.last() != Some(node) {
+                unpainted.push(*node);
+            }
+            index += 1;
+            !leave_out
+        });
+    }
 }
 
 /// What an element says of itself, wherever it is used.
@@ -44,6 +68,7 @@ pub(super) struct Drawn<'a, 'input> {
 pub(super) struct Mark {
     is_drawn: bool,
     is_visible: Option<bool>,
+    paints: [Option<bool>; 2],
     is_selected: bool,
     transform: DAffine2,
 }
@@ -55,6 +80,8 @@ struct Place {
     /// The size of the viewport, if it has one.
     size: Option<DVec2>,
     is_visible: bool,
+    /// Whether insides and outlines have a paint, or at least none that is `none`.
+    paints: [bool; 2],
     is_selected: bool,
 }
 
@@ -80,6 +107,8 @@ impl<'a, 'input> Layout<'a, 'input, '_> {
                 .map(|view| DVec2::new(view.w, view.h))
                 .or_else(given),
             is_visible: true,
+            // An outline that nobody spoke of may have been forgotten.
+            paints: [true, true],
             is_selected: self.selection.select.is_empty(),
         };
         let mark = self.mark(root);
@@ -90,6 +119,7 @@ impl<'a, 'input> Layout<'a, 'input, '_> {
             };
             self.children(root, inside)?;
         }
+        self.drawn.leave_out_unpainted();
         Ok(self.drawn)
     }
 
@@ -210,6 +240,9 @@ impl<'a, 'input> Layout<'a, 'input, '_> {
             )));
         }
         for component in &shape.components {
+            if place.paints == [false; 2] {
+                drawn.without_paint.push(drawn.components.len());
+            }
             let placed = component.map(|p| place.to_root.transform_point2(p));
             drawn.components.push((node, placed));
         }
@@ -230,6 +263,7 @@ impl<'a, 'input> Layout<'a, 'input, '_> {
         let mark = Mark {
             is_drawn: style.is_displayed && may_be_seen(node) && !self.is_excluded(node),
             is_visible: style.is_visible,
+            paints: style.paints,
             is_selected: self.selection.selects(node),
             // Whether it can be read was checked before.
             transform: transform.unwrap_or_default(),
@@ -250,6 +284,7 @@ impl Place {
     fn marked(self, mark: Mark) -> Self {
         Self {
             is_visible: mark.is_visible.unwrap_or(self.is_visible),
+            paints: [0, 1].map(|of| mark.paints[of].unwrap_or(self.paints[of])),
             is_selected: self.is_selected || mark.is_selected,
             ..self.moved(mark.transform)
         }
