@@ -15,4 +15,5 @@ mod module;
 mod program;
 mod reconstruct;
 mod sample;
+mod tiles;
 mod work;

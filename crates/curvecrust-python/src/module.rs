@@ -19,6 +19,8 @@ mod _curvecrust {
     use crate::reconstruct::{explain, reconstruct, violations};
     #[pymodule_export]
     use crate::sample::sample;
+    #[pymodule_export]
+    use crate::tiles::{tiles_ask, tiles_cut, tiles_join, tiles_of, tiles_solve};
 
     use pyo3::prelude::*;
 

@@ -22,6 +22,11 @@ __all__ = [
     "reconstruct",
     "run",
     "sample",
+    "tiles_ask",
+    "tiles_cut",
+    "tiles_join",
+    "tiles_of",
+    "tiles_solve",
     "violations",
 ]
 
@@ -67,3 +72,20 @@ def evaluate(
 ) -> dict[str, Any]: ...
 def methods() -> list[dict[str, Any]]: ...
 def run(args: list[str]) -> int: ...
+def tiles_cut(points: NDArray[np.float64], cells: int) -> dict[str, Any]: ...
+def tiles_of(
+    axes: NDArray[np.uint8], at: NDArray[np.float64], points: NDArray[np.float64]
+) -> dict[str, Any]: ...
+def tiles_solve(
+    samples: NDArray[np.uint64], cell: list[float], method: str, run_length: int
+) -> dict[str, Any]: ...
+def tiles_ask(
+    left: NDArray[np.uint64],
+    cell: list[float],
+    method: str,
+    runs: NDArray[np.float64],
+    read: Callable[[int], NDArray[np.uint64]],
+) -> dict[str, Any]: ...
+def tiles_join(
+    edges: NDArray[np.uint64], claims: NDArray[np.uint64], method: str
+) -> dict[str, Any]: ...
