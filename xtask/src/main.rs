@@ -15,6 +15,7 @@ mod noise;
 mod python;
 mod reproduce_paper;
 mod test;
+mod theorem_2;
 mod web;
 
 use clap::{Parser, Subcommand};
@@ -53,6 +54,9 @@ enum Task {
     Python(python::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
+    /// Prove Theorem 2 for some rho by machine, write the certificate and check it
+    #[command(name = "theorem-2")]
+    Theorem2(theorem_2::Args),
     /// Build the explorer, a page of static files, under target/web
     Web(web::Args),
 }
@@ -68,6 +72,7 @@ fn main() -> ExitCode {
         Task::Noise(args) => noise::run(&args),
         Task::Python(args) => python::run(&args),
         Task::ReproducePaper(args) => reproduce_paper::run(&args),
+        Task::Theorem2(args) => theorem_2::run(&args),
         Task::Web(args) => web::run(&args),
     };
     outcome.unwrap_or_else(|error| {

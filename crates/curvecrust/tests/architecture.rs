@@ -49,7 +49,7 @@ const ALL_BUT_FACADE: &[&str] = &[
 const PROGRAMS: &[&str] = &["cli", "python", "web", "benches", "xtask"];
 
 /// What is not published: it may use every library, and only what is not published uses it.
-const LABORATORY: &[&str] = &["lab", "testing"];
+const LABORATORY: &[&str] = &["lab", "proof", "testing"];
 
 /// Foreign crates that only these of ours may name, in whatever kind of dependency.
 const NAMED_BY: &[(&str, &[&str])] = &[

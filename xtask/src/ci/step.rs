@@ -47,6 +47,9 @@ pub(super) enum Step {
     ReproducePaper,
     /// The experiments of compare, at few trials
     Compare,
+    /// The certificate of Theorem 2
+    #[value(name = "theorem-2")]
+    Theorem2,
     /// Instructions of the kernels against the committed baseline
     Instructions,
     /// Each fuzz target, for half a minute
@@ -108,6 +111,7 @@ impl Step {
             Self::Adversarial => cargo("test -p curvecrust --test adversarial"),
             Self::ReproducePaper => reproduce_paper(),
             Self::Compare => cargo("xtask compare --quick"),
+            Self::Theorem2 => cargo("xtask theorem-2 --check"),
             Self::Instructions => instructions::run(renew_instructions),
             Self::Fuzz => fuzz::run(),
         }
