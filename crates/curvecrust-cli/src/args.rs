@@ -304,7 +304,7 @@ pub(crate) struct StrokesOf {
 /// How near the samples have to be.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Condition {
-    /// Every interval between samples within RHO times its reach; HNN-Crust is proven for 0.9
+    /// Every interval between samples within RHO times its reach; HNN-Crust is proven for 0.888
     #[arg(long, value_name = "RHO", allow_negative_numbers = true)]
     pub(crate) rho: Option<f64>,
     /// Every point within EPSILON times its local feature size; HNN-Crust is proven for 0.47

@@ -266,8 +266,8 @@ impl fmt::Display for SamplingBound {
 /// let [by_reach, by_lfs] = HnnCrust::MUTUAL.info().guarantees else { panic!("two theorems") };
 /// assert_eq!(by_reach.claimed, SamplingBound::Rho(0.9));
 /// assert!(matches!(by_reach.standing, Standing::Refuted { .. }));
-/// assert_eq!(by_reach.to_string(), "rho < 0.9 (proven for rho < 0.678, false from rho = 0.895)");
-/// assert_eq!(by_lfs.to_string(), "epsilon < 0.47 (proven for epsilon < 0.404)");
+/// assert_eq!(by_reach.to_string(), "rho < 0.9 (proven for rho < 0.888, false from rho = 0.895)");
+/// assert_eq!(by_lfs.to_string(), "epsilon < 0.47");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -284,8 +284,6 @@ pub struct Guarantee {
 pub enum Standing {
     /// It is proven.
     Proven,
-    /// It is proven below a smaller bound of the same condition; between the two it is conjectured.
-    ProvenBelow(f64),
     /// It is false: from a bound on there are counterexamples.
     Refuted {
         /// The bound below which it is proven; from there to the counterexamples it is conjectured.
@@ -316,7 +314,6 @@ impl fmt::Display for Guarantee {
         write!(f, "{}", self.claimed)?;
         match self.standing {
             Standing::Proven => Ok(()),
-            Standing::ProvenBelow(bound) => write!(f, " (proven for {name} < {})", down(bound)),
             Standing::Refuted {
                 proven_below,
                 fails_from,

@@ -8,8 +8,8 @@
 //! | name | source | claimed correct for closed smooth curves with | made for curves | cost | can be told |
 //! |---|---|---|---|---|---|
 //! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | none known | closed, open, several, corners | O(n log n) | shape, number, termini |
-//! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | closed, open, several, corners | O(n log n) | termini |
-//! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.678, false from rho = 0.895), epsilon < 0.47 (proven for epsilon < 0.404) | closed, open, several, corners | O(n log n) | termini |
+//! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.888, false from rho = 0.895), epsilon < 0.47 | closed, open, several, corners | O(n log n) | termini |
+//! | [`hnn-crust-union`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.888, false from rho = 0.895), epsilon < 0.47 | closed, open, several, corners | O(n log n) | termini |
 //! | [`nn-crust`] | Dey, Kumar: A Simple Provable Algorithm for Curve Reconstruction. SODA 1999 | epsilon < 0.333 | closed, several | O(n log n) | nothing |
 //! | [`crust`] | Amenta, Bern, Eppstein: The Crust and the beta-Skeleton: Combinatorial Curve Reconstruction. GMIP 1998 | epsilon < 0.252 | closed, several | O(n log n) | nothing |
 //! | [`one-step-crust`] | Gold, Snoeyink: A One-Step Crust and Skeleton Extraction Algorithm. Algorithmica 2001 | none known | closed, several | O(n log n) | nothing |

@@ -95,6 +95,40 @@ async function clicks(page) {
   await settle(page);
 }
 
+/** Takes a point by keys, moves it, and leaves it. */
+async function keys(page) {
+  await page.click("[data-change=clear]");
+  await drop(page, "a.csv", "x,y\n0,0\n10,0\n5,8\n");
+  await page.check("[name=tool][value=move]");
+  const spot = async () => JSON.parse(atob(await linkOf(page))).reconstruct.points;
+  const before = await spot();
+  await page.focus("#canvas-a");
+  // From the middle of the picture up to the third point, in steps of 12 pixels.
+  const [width, height] = await page.evaluate(() => {
+    const canvas = document.getElementById("canvas-a");
+    return [canvas.clientWidth, canvas.clientHeight];
+  });
+  const steps = Math.round((4 * Math.min((width - 52) / 10, (height - 52) / 8)) / 12);
+  for (let i = 0; i < steps; i++) await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowRight");
+  await settle(page);
+  const after = await spot();
+  const moved = before.map((value, i) => value !== after[i]);
+  assert.deepEqual(moved.slice(0, 4), [false, false, false, false], "one point moves alone");
+  assert.ok(moved[4] && after[4] > before[4], `${before} / ${after}`);
+  await page.check("[name=tool][value=add]");
+}
+
+/** The state in the link, as text in base 64. */
+async function linkOf(page) {
+  await page.click("#share");
+  const hash = await page.evaluate(() => location.hash.slice(1));
+  return hash.replaceAll("-", "+").replaceAll("_", "/");
+}
+
 async function saves(page) {
   for (const kind of ["svg", "geojson", "csv", "png"]) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(`[data-export=${kind}]`)]);
@@ -211,6 +245,7 @@ await settle(page);
 requests = [];
 await formats(page);
 await clicks(page);
+await keys(page);
 await saves(page);
 await samples(page);
 await drawing(page);

@@ -108,8 +108,12 @@ export class Plot {
     g.stroke();
   }
 
-  /** Calls `down`, `move` and `up` with pixels, from a pointer or from keys; `key` for others. */
-  listen({ down = () => {}, move = () => {}, up = () => {}, key = () => {} }) {
+  /**
+   * Calls `down`, `move` and `up` with pixels, from a pointer or from keys; `key` for others. Where
+   * `holds` says that something was taken, keys move it until Enter comes again.
+   */
+  listen({ down = () => {}, move = () => {}, up = () => {}, key = () => {}, holds = () => false }) {
+    let held = false;
     const at = (event) => {
       const box = this.canvas.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
@@ -117,6 +121,7 @@ export class Plot {
     this.canvas.addEventListener("pointerdown", (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       this.cursor = null;
+      held = false;
       down(...at(event));
     });
     this.canvas.addEventListener("pointermove", (event) => move(...at(event), event.buttons > 0));
@@ -128,11 +133,12 @@ export class Plot {
       if (dx || dy) {
         this.cursor ??= [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2];
         this.cursor = [this.cursor[0] + step * dx, this.cursor[1] + step * dy];
-        move(...this.cursor, false);
+        move(...this.cursor, held);
       } else if (event.key === "Enter" || event.key === " ") {
         this.cursor ??= [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2];
-        down(...this.cursor);
-        up(...this.cursor);
+        if (!held) down(...this.cursor);
+        held = !held && holds();
+        if (!held) up(...this.cursor);
       } else if (!key(event.key)) {
         return;
       }

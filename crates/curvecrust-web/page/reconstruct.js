@@ -204,6 +204,7 @@ function listenTo(side) {
     down: (x, y) => press(side.plot, x, y),
     move: (x, y, pressed) => (pressed && dragged >= 0 ? drag(side.plot, x, y) : hover(side, x, y)),
     up: () => (dragged = -1),
+    holds: () => dragged >= 0,
     key: (key) => step(side, { n: 1, N: 1, p: -1, P: -1 }[key]),
   });
 }

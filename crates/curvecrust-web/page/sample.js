@@ -14,6 +14,8 @@ let samples = null;
 let source = null;
 let strokes = null;
 let dragged = null;
+/** Whether what is dragged was there before. */
+let grabbed = false;
 let attempt = null;
 
 export function state() {
@@ -31,7 +33,7 @@ export async function start({ curves, attempt: doing, state: linked, toReconstru
   plot = new Plot(get("canvas-sample"));
   plot.canvas.setAttribute("aria-label", "The curve, its samples and its medial axis");
   plot.show(paint);
-  plot.listen({ down: press, move: drag, up: () => (dragged = null) });
+  plot.listen({ down: press, move: drag, up: () => (dragged = null), holds: () => grabbed });
   fillSelect(curves);
   for (const id of ["rho", "epsilon", "limit"]) get(id).addEventListener("input", () => slide(id));
   for (const input of document.querySelectorAll("[name=condition]")) {
@@ -129,7 +131,7 @@ async function update() {
   }
   get("limit-value").textContent = limit ? `${(100 * limit).toPrecision(2)} %` : "none";
   get("guarantee").textContent = guarantee(condition, bound);
-  get("guarantee").classList.toggle("warn", bound >= (condition === "rho" ? 0.895 : 0.47));
+  get("guarantee").classList.toggle("warn", bound > (condition === "rho" ? 0.888 : 0.47));
   if (!curve) return;
   await attempt(async () => {
     const answer = await lane.ask({ do: "sample", condition, bound, limit });
@@ -157,14 +159,13 @@ function caption(answer) {
 /** What is known of a bound; docs/theory.md has the proofs and the counterexample. */
 function guarantee(condition, bound) {
   if (condition === "rho") {
-    if (bound < 0.678) return "Proven: HNN-Crust returns the polygon of every such sampling.";
-    if (bound < 0.895) return "The paper claims that HNN-Crust is right here. It is proven below 0.678; no counterexample is known below 0.895.";
+    if (bound <= 0.888) return "Proven: HNN-Crust returns the polygon of every such sampling.";
+    if (bound < 0.895) return "The paper claims that HNN-Crust is right here. It is proven up to 0.888; no counterexample is known below 0.895.";
     if (bound <= 0.9) return "The paper claims rho < 0.9, but from 0.895 on there are curves where HNN-Crust loses an edge. Nothing is guaranteed here.";
     return "Beyond every claim: nothing is guaranteed here.";
   }
   if (bound <= 1 / 3) return "Proven: NN-Crust and HNN-Crust return the polygon of every such sampling.";
-  if (bound < 0.404) return "Proven for HNN-Crust. NN-Crust is guaranteed up to 1/3 only.";
-  if (bound < 0.47) return "The paper claims that HNN-Crust is right here. It is proven below 0.404, and no counterexample is known.";
+  if (bound <= 0.47) return "Proven for HNN-Crust. NN-Crust is guaranteed up to 1/3 only.";
   return "Beyond every claim: nothing is guaranteed here.";
 }
 
@@ -194,11 +195,13 @@ function draw(own) {
 }
 
 function press(x, y) {
+  grabbed = false;
   if (!strokes) return;
   for (const stroke of strokes) {
     const found = plot.nearest(stroke.flat(), x, y);
     if (found >= 0) {
       dragged = stroke[found];
+      grabbed = true;
       return;
     }
   }

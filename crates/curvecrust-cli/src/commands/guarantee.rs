@@ -51,7 +51,6 @@ fn is_proven(guarantee: &Guarantee, asked: Bound) -> bool {
     };
     let proven = match guarantee.standing {
         Standing::Proven => claimed,
-        Standing::ProvenBelow(proven) => proven,
         Standing::Refuted { proven_below, .. } => proven_below,
         _ => return false,
     };
