@@ -10,10 +10,10 @@
 //! The paper claims it correct for closed smooth curves with rho < 0.9 (Theorem 2) or epsilon <
 //! 0.47 (Theorem 3). Theorem 2 is false as printed: from rho = 0.8950 on there are curves with
 //! samples at which an edge is lost. The covering of its Figure 8 leaves the ratio 0.7323
-//! uncovered. It is proven for rho < 0.888, and with that all of Theorem 3: docs/theorem-2.md of the
-//! project has the proof, one case of which a computer decides, and docs/theory.md the
-//! counterexample; between the two nothing is known. A leaf on a curve that should be closed shows
-//! that the condition is violated, or that it is one of these cases.
+//! uncovered. It is proven for rho < 0.888, and with that all of Theorem 3: the project's
+//! docs/theorem-2.md has the proof, one case of which a computer decides, and docs/theory.md the
+//! counterexample. Between the two bounds nothing is known. A leaf on a curve that should be closed
+//! shows that the condition is violated, or that it is one of these cases.
 //!
 //! Local: the cost is that of finding neighbours, O(n log n) and nearly linear on curves.
 
