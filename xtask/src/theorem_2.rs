@@ -47,7 +47,9 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
         certificate.rho,
         certificate.nodes.len(),
         start.elapsed().as_secs_f64(),
-        verdict.as_ref().map_or_else(ToString::to_string, |()| "accepted".to_owned())
+        verdict
+            .as_ref()
+            .map_or_else(ToString::to_string, |()| "accepted".to_owned())
     );
     Ok(ExitCode::from(u8::from(verdict.is_err())))
 }
