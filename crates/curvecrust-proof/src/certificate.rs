@@ -81,6 +81,33 @@ pub enum Reason {
     },
 }
 
+/// Why a certificate is no proof.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The lemmas do not hold for such a rho.
+    #[error("rho is {0}, and the lemmas are proven for less than 0.9")]
+    Rho(f64),
+    /// A node after the last box.
+    #[error("node {node} is about no box: those before cover everything")]
+    Left {
+        /// Its index.
+        node: usize,
+    },
+    /// Boxes without a node.
+    #[error("{boxes} boxes have no node")]
+    Missing {
+        /// How many.
+        boxes: usize,
+    },
+    /// A leaf does not refute its box.
+    #[error("the reason of node {node} does not refute its box")]
+    Unfounded {
+        /// Its index.
+        node: usize,
+    },
+}
+
 /// The reasons that have no number, and their words.
 const WORDS: [(&str, Reason); 9] = [
     ("far", Reason::Far),

@@ -17,8 +17,8 @@ mod prover;
 mod tests;
 mod vector;
 
-pub use certificate::{Axis, Certificate, FormatError, Leaf, Node, Reason};
-pub use checker::{Refusal, check, refutes};
+pub use certificate::{Axis, Certificate, FormatError, Leaf, Node, Reason, Refusal};
+pub use checker::{check, refutes};
 pub use configuration::Unknowns;
 pub use interval::Interval;
 pub use prover::{Resisting, prove};

@@ -1,4 +1,4 @@
-//! Vectors of the plane whose coordinates are intervals.
+//! Vectors of the plane whose coordinates are intervals, and discs.
 
 use crate::interval::Interval;
 use std::ops::{Add, Sub};
@@ -49,5 +49,37 @@ impl Sub for Vector {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y)
+    }
+}
+
+/// An open disc, or all discs with such a centre and radius.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Disc {
+    pub(crate) center: Vector,
+    pub(crate) radius: Interval,
+}
+
+impl Disc {
+    pub(crate) fn new(center: Vector, radius: Interval) -> Self {
+        Self { center, radius }
+    }
+
+    /// The disc of radius 1 about a point.
+    pub(crate) fn unit(center: [f64; 2]) -> Self {
+        Self::new(Vector::point(center), Interval::point(1.0))
+    }
+
+    /// Whether a point is certainly inside.
+    pub(crate) fn holds(self, point: Vector) -> bool {
+        let from_center = point - self.center;
+        from_center.square().is_below(self.radius.square())
+    }
+
+    /// How far a ray from a point runs at least until it leaves the disc for good, if it meets it.
+    pub(crate) fn exit(self, point: Vector, ray: Vector) -> Interval {
+        let from_center = point - self.center;
+        let along = from_center.dot(ray);
+        let square = along.square() + self.radius.square() - from_center.square();
+        (square.sqrt() - along).lower()
     }
 }

@@ -1,4 +1,4 @@
-//! The counterexample to Theorem 2 of SGP 2016, see `docs/theory.md`.
+//! The counterexample to Theorem 2 of SGP 2016, see `docs/theorem-2.md`.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
 use curvecrust::DVec2;
