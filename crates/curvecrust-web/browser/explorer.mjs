@@ -120,6 +120,8 @@ async function keys(page) {
   assert.deepEqual(moved.slice(0, 4), [false, false, false, false], "one point moves alone");
   assert.ok(moved[4] && after[4] > before[4], `${before} / ${after}`);
   await page.check("[name=tool][value=add]");
+  await page.click("[data-change=clear]");
+  await drop(page, "a.csv", "x,y\n0,0\n1,1\n1,0\n0,1\n");
 }
 
 /** The state in the link, as text in base 64. */
