@@ -23,10 +23,8 @@ pub(crate) fn is_beyond(claim: f64, case: &Configuration, lfs: Interval) -> bool
         above: case.radius(lfs, 1.0),
         below: case.radius(lfs, -1.0),
     };
-    search.covers(
-        [Interval::new(case.distance.low(), farthest), unit, unit],
-        DEPTH,
-    )
+    let distance = Interval::new(case.distance.low(), farthest);
+    search.covers([distance, unit, unit], DEPTH)
 }
 
 struct Search<'a> {
