@@ -266,12 +266,12 @@ fn samples_say_how_they_are_known_to_suffice() {
     folder.write("badge.svg", BADGE);
     for (line, guaranteed, says) in [
         (
-            "circle.svg --rho 0.6",
+            "circle.svg --rho 0.88",
             "theorem",
             "; HNN-Crust is proven to return",
         ),
         (
-            "circle.svg --epsilon 0.4",
+            "circle.svg --epsilon 0.45",
             "theorem",
             "; HNN-Crust is proven to return",
         ),
@@ -281,7 +281,7 @@ fn samples_say_how_they_are_known_to_suffice() {
             "; least detour returns exactly",
         ),
         (
-            "circle.svg --epsilon 0.45",
+            "circle.svg --epsilon 0.5",
             "running",
             "; least detour returns exactly",
         ),
