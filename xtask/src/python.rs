@@ -38,8 +38,8 @@ enum Task {
 pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let done = match &args.task {
         None | Some(Task::Wheel) => with_wheel(|_| Ok(Outcome::Passed)),
-        Some(Task::Test) => test(),
-        Some(Task::Docs) => docs(),
+        Some(Task::Test) => with_wheel(tested),
+        Some(Task::Docs) => with_wheel(pages),
         Some(Task::Bench { files }) => bench(files),
     }?;
     Ok(match done {
@@ -55,44 +55,47 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     })
 }
 
-/// All tests and lints of the package, with the wheel in an environment of its own.
-pub(crate) fn test() -> anyhow::Result<Outcome> {
-    with_wheel(|wheel| {
-        let tested = ["test"];
-        let environment = match Environment::fresh("test", wheel, &tested)? {
-            Ok(environment) => environment,
-            Err(outcome) => return Ok(outcome),
-        };
-        let wheel = wheel.to_string_lossy();
-        let all: [&[&str]; 6] = [
-            &["ruff", "check", "."],
-            &["ruff", "format", "--check", "."],
-            &["mypy", "python"],
-            &["mypy.stubtest", "curvecrust._curvecrust"],
-            &["abi3audit", "--strict", &wheel],
-            &[
-                "pytest",
-                "-q",
-                "tests",
-                "README.md",
-                "--pyargs",
-                "curvecrust",
-            ],
-        ];
-        first_failure(all.iter().map(|arguments| environment.module(arguments)))
+/// All tests and lints of the package, then its pages, with one wheel.
+pub(crate) fn test_and_docs() -> anyhow::Result<Outcome> {
+    with_wheel(|wheel| match tested(wheel)? {
+        Outcome::Passed => pages(wheel),
+        other => Ok(other),
     })
 }
 
+/// Tests and lints, in an environment of their own.
+fn tested(wheel: &Path) -> anyhow::Result<Outcome> {
+    let environment = match Environment::fresh("test", wheel, &["test"])? {
+        Ok(environment) => environment,
+        Err(outcome) => return Ok(outcome),
+    };
+    let wheel = wheel.to_string_lossy();
+    let all: [&[&str]; 6] = [
+        &["ruff", "check", "."],
+        &["ruff", "format", "--check", "."],
+        &["mypy", "python"],
+        &["mypy.stubtest", "curvecrust._curvecrust"],
+        &["abi3audit", "--strict", &wheel],
+        &[
+            "pytest",
+            "-q",
+            "tests",
+            "README.md",
+            "--pyargs",
+            "curvecrust",
+        ],
+    ];
+    first_failure(all.iter().map(|arguments| environment.module(arguments)))
+}
+
 /// The pages, with the notebooks executed.
-pub(crate) fn docs() -> anyhow::Result<Outcome> {
-    with_wheel(|wheel| {
-        let environment = match Environment::fresh("docs", wheel, &["docs", "geo"])? {
-            Ok(environment) => environment,
-            Err(outcome) => return Ok(outcome),
-        };
-        let site = folder().join("site");
-        environment.module(&["mkdocs", "build", "-q", "-s", "-d", &site.to_string_lossy()])
-    })
+fn pages(wheel: &Path) -> anyhow::Result<Outcome> {
+    let environment = match Environment::fresh("docs", wheel, &["docs", "geo"])? {
+        Ok(environment) => environment,
+        Err(outcome) => return Ok(outcome),
+    };
+    let site = folder().join("site");
+    environment.module(&["mkdocs", "build", "-q", "-s", "-d", &site.to_string_lossy()])
 }
 
 fn bench(files: &[PathBuf]) -> anyhow::Result<Outcome> {

@@ -41,8 +41,6 @@ pub(super) enum Step {
     Deny,
     /// Known vulnerabilities of all dependencies, those of the fuzz targets included
     Advisories,
-    /// Hard points in every order, answered by every algorithm
-    Adversarial,
     /// The tables of the paper within their bounds
     ReproducePaper,
     /// The experiments of compare, at few trials
@@ -104,25 +102,16 @@ impl Step {
             Self::Wasm => wasm::run(),
             Self::Web => web::run(),
             Self::Package => packages::publishable(),
-            Self::Python => python(),
+            Self::Python => crate::python::test_and_docs(),
             Self::Deny if !has("deny") => Ok(Outcome::Skipped("no cargo-deny".to_owned())),
             Self::Deny => cargo("deny check licenses bans sources"),
             Self::Advisories => advisories::run(),
-            Self::Adversarial => cargo("test -p curvecrust --test adversarial"),
             Self::ReproducePaper => reproduce_paper(),
             Self::Compare => cargo("xtask compare --quick"),
             Self::Theorem2 => cargo("xtask theorem-2 --check"),
             Self::Instructions => instructions::run(renew_instructions),
             Self::Fuzz => fuzz::run(),
         }
-    }
-}
-
-/// The tests of the Python package, then its pages.
-fn python() -> anyhow::Result<Outcome> {
-    match crate::python::test()? {
-        Outcome::Passed => crate::python::docs(),
-        other => Ok(other),
     }
 }
 
