@@ -68,6 +68,18 @@ impl Interval {
         Self::point(self.low)
     }
 
+    /// The upper end, as an interval.
+    #[must_use]
+    pub fn upper(self) -> Self {
+        Self::point(self.high)
+    }
+
+    /// Whether it is more than one number.
+    #[must_use]
+    pub fn has_length(self) -> bool {
+        self.low < self.high
+    }
+
     /// Some number in the middle.
     #[must_use]
     pub fn middle(self) -> f64 {
@@ -146,6 +158,22 @@ impl Interval {
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self::new(self.low.max(other.low), self.high.max(other.high))
+    }
+
+    /// The smaller of a number of each.
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        Self::new(self.low.min(other.low), self.high.min(other.high))
+    }
+
+    /// How far its numbers are from those of another, from the least to the largest distance.
+    #[must_use]
+    pub fn distance(self, other: Self) -> Self {
+        let Self { low, high } = self - other;
+        if low <= 0.0 && 0.0 <= high {
+            return Self::new(0.0, high.max(-low));
+        }
+        Self::new(low.abs().min(high.abs()), low.abs().max(high.abs()))
     }
 
     /// The smallest interval that holds both.

@@ -13,6 +13,9 @@ mod configuration;
 mod interval;
 mod midpoint;
 mod prover;
+mod sampling;
+mod spline;
+mod splines_text;
 #[cfg(test)]
 mod tests;
 mod vector;
@@ -22,3 +25,5 @@ pub use checker::{check, refutes};
 pub use configuration::Unknowns;
 pub use interval::Interval;
 pub use prover::{Resisting, prove};
+pub use sampling::{SampledSplines, SamplingCondition, Undecided};
+pub use spline::ClosedSpline;

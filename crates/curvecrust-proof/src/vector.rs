@@ -32,6 +32,32 @@ impl Vector {
         Self::new(factor * self.x, factor * self.y)
     }
 
+    /// The smallest rectangle that holds both.
+    pub(crate) fn hull(self, other: Self) -> Self {
+        Self::new(self.x.hull(other.x), self.y.hull(other.y))
+    }
+
+    /// How far its vectors are from those of another.
+    pub(crate) fn distance(self, other: Self) -> Interval {
+        let (x, y) = (self.x.distance(other.x), self.y.distance(other.y));
+        (x.square() + y.square()).sqrt()
+    }
+
+    /// The longer side.
+    pub(crate) fn width(self) -> Interval {
+        let [x, y] = [self.x, self.y].map(|side| side.upper() - side.lower());
+        x.max(y)
+    }
+
+    /// Two rectangles that cover it, cut across the longer side.
+    pub(crate) fn halves(self) -> [Self; 2] {
+        if self.y.is_wider(self.x) {
+            self.y.halves().map(|y| Self { y, ..self })
+        } else {
+            self.x.halves().map(|x| Self { x, ..self })
+        }
+    }
+
     /// Turned by a quarter, from the x axis to the y axis.
     pub(crate) fn turned(self) -> Self {
         Self::new(-self.y, self.x)
