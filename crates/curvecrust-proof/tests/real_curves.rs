@@ -4,7 +4,7 @@
 //! axis by shrinking balls, brute force.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-use curvecrust_proof::{Interval, Leaf, Reason, refutes};
+use curvecrust_proof::{Curves, Interval, Leaf, Reason};
 use std::f64::consts::TAU;
 
 type Point = [f64; 2];
@@ -251,7 +251,7 @@ fn no_real_curve_is_refuted() {
             };
             let leaf = |midpoint, reason| Leaf { midpoint, reason };
             let fails = |leaf: Leaf| {
-                let refuted = refutes(&real.unknowns, real.rho, &leaf);
+                let refuted = Curves::Smooth.refutes(&real.unknowns, real.rho, &leaf);
                 assert!(
                     !refuted,
                     "{leaf:?} refutes {:?}, {:?}",
