@@ -54,7 +54,7 @@ enum Task {
     Python(python::Args),
     /// Reproduce Tables 1 to 3 and the figures of "Curve Reconstruction with Many Fewer Samples"
     ReproducePaper(reproduce_paper::Args),
-    /// Prove Theorem 2 for some rho by machine, write the certificate and check it
+    /// Prove Theorem 2 for some rho by machine, write the certificates and check them
     #[command(name = "theorem-2")]
     Theorem2(theorem_2::Args),
     /// Build the explorer, a page of static files, under target/web

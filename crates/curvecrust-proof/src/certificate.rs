@@ -3,12 +3,30 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// The first line of the text.
-const HEAD: &str = "curvecrust theorem-2 certificate 1";
+/// The curves that a certificate is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Curves {
+    /// All closed smooth curves.
+    Smooth,
+    /// Those on which the interval from s0 to s1 is an arc of a circle, or a segment.
+    Arcs,
+}
+
+impl Curves {
+    /// The first line of the text.
+    fn head(self) -> &'static str {
+        match self {
+            Self::Smooth => "curvecrust theorem-2 certificate 1",
+            Self::Arcs => "curvecrust theorem-2 arcs certificate 1",
+        }
+    }
+}
 
 /// A tree of boxes of the four unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate {
+    /// What the theorem is about.
+    pub curves: Curves,
     /// Theorem 2 is to hold for every rho below this one.
     pub rho: f64,
     /// The nodes, each before its parts, the upper half after the lower one.
@@ -134,7 +152,7 @@ pub struct FormatError {
 /// One node a line.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{HEAD}\nrho {}", self.rho)?;
+        writeln!(f, "{}\nrho {}", self.curves.head(), self.rho)?;
         for node in &self.nodes {
             writeln!(f, "{node}")?;
         }
@@ -169,9 +187,11 @@ impl FromStr for Certificate {
     fn from_str(text: &str) -> Result<Self, FormatError> {
         let mut lines = text.lines();
         let error = |line, expected| FormatError { line, expected };
-        if lines.next() != Some(HEAD) {
-            return Err(error(1, HEAD));
-        }
+        let head = lines.next();
+        let curves = [Curves::Smooth, Curves::Arcs]
+            .into_iter()
+            .find(|curves| head == Some(curves.head()))
+            .ok_or(error(1, "the name of a certificate"))?;
         let rho = lines.next().and_then(|line| line.strip_prefix("rho "));
         let rho = rho.and_then(|rho| rho.parse().ok());
         let rho = rho.ok_or(error(2, "`rho` and a number"))?;
@@ -179,7 +199,7 @@ impl FromStr for Certificate {
             .enumerate()
             .map(|(i, line)| node(line).ok_or(error(i + 3, "an unknown, 0 to 3, or a reason")));
         let nodes = nodes.collect::<Result<_, _>>()?;
-        Ok(Self { rho, nodes })
+        Ok(Self { curves, rho, nodes })
     }
 }
 

@@ -12,7 +12,8 @@ use crate::vector::{Disc, Vector};
 /// The lemmas are proven for rho below this.
 const LARGEST: f64 = 0.9;
 
-/// Checks that a certificate proves Theorem 2 for its rho, given the lemmas of `docs/theorem-2.md`.
+/// Checks that a certificate proves Theorem 2 for its curves and its rho, given the lemmas of
+/// `docs/theorem-2.md`.
 ///
 /// # Errors
 ///
@@ -27,7 +28,7 @@ pub fn check(certificate: &Certificate) -> Result<(), Refusal> {
         let unknowns = open.pop().ok_or(Refusal::Left { node })?;
         match what {
             Node::Split(axis) => open.extend(split(&unknowns, *axis)),
-            Node::Leaf(leaf) if refutes(&unknowns, rho, leaf) => {}
+            Node::Leaf(leaf) if certificate.curves.refutes(&unknowns, rho, leaf) => {}
             Node::Leaf(_) => return Err(Refusal::Unfounded { node }),
         }
     }
@@ -47,10 +48,8 @@ pub(crate) fn split(unknowns: &Unknowns, axis: Axis) -> [Unknowns; 2] {
     })
 }
 
-/// Whether a leaf refutes a box of the four unknowns: |q s1|, the curvature of the circle through q
-/// and s1, the tangent of half the angle at q, |q z|. The number rho may be any in an interval.
-#[must_use]
-pub fn refutes(unknowns: &Unknowns, rho: Interval, leaf: &Leaf) -> bool {
+/// Whether a leaf refutes a box of the four unknowns for all smooth curves.
+pub(crate) fn refutes(unknowns: &Unknowns, rho: Interval, leaf: &Leaf) -> bool {
     let case = Configuration::new(unknowns, rho);
     reach(&case, leaf.midpoint).is_some_and(|reach| holds(&leaf.reason, &case, reach))
 }

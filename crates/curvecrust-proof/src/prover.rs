@@ -2,16 +2,21 @@
 //!
 //! Nothing here has to be right: the checker decides.
 
-use crate::certificate::{Axis, Certificate, Leaf, Node, Reason};
+use crate::arcs;
+use crate::centers;
+use crate::certificate::{Axis, Certificate, Curves, Leaf, Node, Reason};
 use crate::checker::{bound, holds, reach, split};
 use crate::configuration::{Configuration, Unknowns, root};
 use crate::interval::Interval;
-use crate::vector::Vector;
-use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How much each unknown moves z: the box is halved where the product with its width is largest.
-const WEIGHTS: [f64; 4] = [1.0, 0.6, 2.5, 1.0];
+fn weights(curves: Curves) -> [f64; 4] {
+    match curves {
+        Curves::Smooth => [1.0, 0.6, 2.5, 1.0],
+        Curves::Arcs => [2.5, 1.5, 0.0, 1.0],
+    }
+}
 
 /// How often a box is halved before its parts are no longer shared among threads.
 const SHARED: u32 = 12;
@@ -45,13 +50,15 @@ pub struct Resisting {
     pub unknowns: [[f64; 2]; 4],
 }
 
-/// A certificate for every rho below `rho`. Boxes narrower than `least` are given up.
+/// A certificate for some curves and every rho below `rho`. Boxes narrower than `least` are given
+/// up.
 ///
 /// # Errors
 ///
 /// The first box of the order of nodes that is given up.
-pub fn prove(rho: f64, least: f64) -> Result<Certificate, Resisting> {
+pub fn prove(curves: Curves, rho: f64, least: f64) -> Result<Certificate, Resisting> {
     let prover = Prover {
+        curves,
         rho: Interval::around(rho),
         least,
     };
@@ -61,7 +68,7 @@ pub fn prove(rho: f64, least: f64) -> Result<Certificate, Resisting> {
         claim: None,
     };
     prover.shared(all, SHARED, &mut nodes, None)?;
-    Ok(Certificate { rho, nodes })
+    Ok(Certificate { curves, rho, nodes })
 }
 
 /// A box and a claim about the midpoint that holds in a larger one.
@@ -84,6 +91,7 @@ impl Before<'_> {
 }
 
 struct Prover {
+    curves: Curves,
     rho: Interval,
     least: f64,
 }
@@ -153,7 +161,7 @@ impl Prover {
             nodes.push(Node::Leaf(leaf));
             return Ok(None);
         }
-        let (axis, width) = widest(&part.unknowns);
+        let (axis, width) = widest(self.curves, &part.unknowns);
         if width < self.least {
             let unknowns = part.unknowns.map(|unknown| [unknown.low(), unknown.high()]);
             return Err(Resisting { unknowns });
@@ -167,6 +175,25 @@ impl Prover {
 
     /// A leaf for a box, if there is one; it may improve the claim.
     fn refutation(&self, part: &mut Part, recent: &mut Vec<[f64; 2]>) -> Option<Leaf> {
+        match self.curves {
+            Curves::Smooth => self.smooth(part, recent),
+            Curves::Arcs => self.arcs(part, recent),
+        }
+    }
+
+    fn arcs(&self, part: &Part, recent: &mut Vec<[f64; 2]>) -> Option<Leaf> {
+        let case = arcs::arc(&part.unknowns, self.rho);
+        let refutes = |reason: &Reason| arcs::refutes(reason, &case);
+        let simple = SIMPLE.into_iter().find(refutes);
+        let ball = || with_a_ball(&case, recent, centers::best(&case), refutes);
+        let reason = simple.or_else(ball)?;
+        Some(Leaf {
+            midpoint: None,
+            reason,
+        })
+    }
+
+    fn smooth(&self, part: &mut Part, recent: &mut Vec<[f64; 2]>) -> Option<Leaf> {
         let configuration = Configuration::new(&part.unknowns, self.rho);
         let crude = bound(&configuration, None);
         let simple = |reason: &Reason| holds(reason, &configuration, crude);
@@ -190,14 +217,15 @@ impl Prover {
         }
         part.claim = best_claim(&configuration, part.claim);
         let reach = bound(&configuration, part.claim);
-        let rim = rim(&configuration, reach);
+        let rim = centers::rim(&configuration, reach);
         with_claim(&configuration, part.claim, recent, Some(rim))
     }
 }
 
 /// The unknown that moves z most.
-fn widest(unknowns: &Unknowns) -> (Axis, f64) {
-    let widths = Axis::ALL.map(|axis| unknowns[axis as usize].width() * WEIGHTS[axis as usize]);
+fn widest(curves: Curves, unknowns: &Unknowns) -> (Axis, f64) {
+    let weights = weights(curves);
+    let widths = Axis::ALL.map(|axis| unknowns[axis as usize].width() * weights[axis as usize]);
     let mut best = (Axis::Distance, widths[0]);
     for (axis, width) in Axis::ALL.into_iter().zip(widths) {
         if width > best.1 {
@@ -219,16 +247,27 @@ fn with_claim(
     if let Some(reason) = WITH_A_CLAIM.into_iter().find(refutes) {
         return Some(Leaf { midpoint, reason });
     }
-    let centers = recent.iter().rev().copied().chain(more.unwrap_or_default());
-    let (center, reason) = centers
-        .map(|center| (center, ball(configuration, center)))
+    let reason = with_a_ball(configuration, recent, more.unwrap_or_default(), refutes)?;
+    Some(Leaf { midpoint, reason })
+}
+
+/// A ball that refutes a configuration, about a recent centre or one of more.
+fn with_a_ball(
+    configuration: &Configuration,
+    recent: &mut Vec<[f64; 2]>,
+    more: Vec<[f64; 2]>,
+    refutes: impl Fn(&Reason) -> bool,
+) -> Option<Reason> {
+    let all = recent.iter().rev().copied().chain(more);
+    let (center, reason) = all
+        .map(|center| (center, centers::ball(configuration, center)))
         .find(|(_, reason)| refutes(reason))?;
     recent.retain(|other| other.map(f64::to_bits) != center.map(f64::to_bits));
     recent.push(center);
     if recent.len() > RECENT {
         recent.remove(0);
     }
-    Some(Leaf { midpoint, reason })
+    Some(reason)
 }
 
 /// The largest of some claims about the midpoint that hold.
@@ -239,7 +278,7 @@ fn best_claim(configuration: &Configuration, known: Option<f64>) -> Option<f64> 
     let mut low = best.unwrap_or(0.5 * configuration.distance.low());
     let mut high = 0.5 * (configuration.rho * configuration.height).high();
     for _ in 0..CLAIMS {
-        let claim = rounded(0.5 * (low + high));
+        let claim = centers::rounded(0.5 * (low + high));
         if is_true(claim) {
             best = Some(claim);
             low = claim;
@@ -248,31 +287,4 @@ fn best_claim(configuration: &Configuration, known: Option<f64>) -> Option<f64> 
         }
     }
     best
-}
-
-/// Points at the rim of the two discs that are free of the medial axis.
-fn rim(configuration: &Configuration, reach: Interval) -> Vec<[f64; 2]> {
-    let q = [configuration.q.x.middle(), configuration.q.y.middle()];
-    let lfs = configuration.lfs(reach).low();
-    let about_s1 = (0..24).map(|i| FRAC_PI_2 + 1.6 * (f64::from(i) + 0.5) / 24.0);
-    let about_s1 = about_s1.map(|angle| [0.9999 * angle.cos(), 0.9999 * angle.sin()]);
-    let about_q = (0..16).map(|i| PI * (f64::from(i) + 0.5) / 16.0);
-    let radius = (lfs - 0.5 * configuration.distance.width()).max(0.1);
-    let about_q = about_q.map(move |a| [q[0] + radius * a.cos(), q[1] + radius * a.sin()]);
-    about_s1
-        .chain(about_q)
-        .map(|center| center.map(rounded))
-        .collect()
-}
-
-/// The smallest ball about a centre that holds z.
-fn ball(configuration: &Configuration, center: [f64; 2]) -> Reason {
-    let from_center = configuration.z - Vector::point(center);
-    let radius = rounded(from_center.square().sqrt().high() + 1e-5);
-    Reason::Ball { center, radius }
-}
-
-/// With few digits, which keeps the certificate short.
-fn rounded(number: f64) -> f64 {
-    (number * 1e5).round() / 1e5
 }

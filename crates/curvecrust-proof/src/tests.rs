@@ -1,13 +1,14 @@
 //! The certificate needs each bound: with one that is looser by 1 %, leaves are refused.
 
-use crate::certificate::{Certificate, Node, Reason};
+use crate::certificate::{Certificate, Curves, Node, Reason};
 use crate::checker::{bound, holds, split};
 use crate::configuration::{Configuration, root};
 use crate::interval::Interval;
 use crate::prover::prove;
 use std::sync::LazyLock;
 
-static PROVEN: LazyLock<Certificate> = LazyLock::new(|| prove(0.8, 1e-4).expect("0.8 is proven"));
+static PROVEN: LazyLock<Certificate> =
+    LazyLock::new(|| prove(Curves::Smooth, 0.8, 1e-4).expect("0.8 is proven"));
 
 /// A bound that is looser by 1 %.
 type Loosened = fn(&mut Configuration, &mut Interval);

@@ -1,10 +1,10 @@
 //! The checker accepts a certificate, and none that is weaker.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-use curvecrust_proof::{Axis, Certificate, Leaf, Node, Reason, Refusal, check, prove};
+use curvecrust_proof::{Axis, Certificate, Curves, Leaf, Node, Reason, Refusal, check, prove};
 use std::sync::LazyLock;
 
-static PROVEN: LazyLock<Certificate> = LazyLock::new(|| prove(0.8, 1e-4).unwrap());
+static PROVEN: LazyLock<Certificate> = LazyLock::new(|| prove(Curves::Smooth, 0.8, 1e-4).unwrap());
 
 /// The indices of the leaves for which a question is answered with yes.
 fn leaves(mut asked: impl FnMut(&Leaf) -> bool) -> Vec<usize> {

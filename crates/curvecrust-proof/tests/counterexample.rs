@@ -1,6 +1,6 @@
 //! Where Theorem 2 is false, nothing is proven.
 
-use curvecrust_proof::{Interval, Leaf, Reason, prove, refutes};
+use curvecrust_proof::{Curves, Interval, Leaf, Reason, prove};
 
 /// The counterexample of `docs/theorem-2.md` at rho = 0.8951: an arc of the unit circle before s1,
 /// a line after it, z on the normal of the arc's midpoint.
@@ -44,12 +44,24 @@ fn the_counterexample_satisfies_all_conditions() {
                 midpoint,
                 reason: reason.clone(),
             };
-            assert!(!refutes(&unknowns, rho, &leaf), "{leaf:?}");
+            for curves in [Curves::Smooth, Curves::Arcs] {
+                assert!(!curves.refutes(&unknowns, rho, &leaf), "{leaf:?}");
+            }
         }
     }
 }
 
 #[test]
 fn a_box_resists_where_the_theorem_is_false() {
-    assert!(prove(0.9, 2e-3).is_err());
+    assert!(prove(Curves::Smooth, 0.9, 2e-3).is_err());
+}
+
+/// There are no other failures on arcs: what resists is the counterexample.
+#[test]
+fn on_arcs_the_box_that_resists_is_the_counterexample() {
+    let resisting = prove(Curves::Arcs, 0.8951, 1e-6).map(|_| ()).unwrap_err();
+    for (i, [low, high]) in resisting.unknowns.into_iter().enumerate() {
+        let around = Interval::new(low - 1e-3, high + 1e-3);
+        assert!(around.holds(unknowns()[i]), "{resisting}");
+    }
 }

@@ -4,7 +4,7 @@
 //! axis by shrinking balls, brute force.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
-use curvecrust_proof::{Interval, Leaf, Reason, refutes};
+use curvecrust_proof::{Curves, Interval, Leaf, Reason};
 use std::f64::consts::TAU;
 
 type Point = [f64; 2];
@@ -12,6 +12,9 @@ type Point = [f64; 2];
 /// Points of a strand are this far apart; lfs is measured with an error below 1 %.
 const STEP: f64 = 0.01;
 const HALF: usize = 400;
+
+/// Where the arc of a strand ends, as a length along it.
+const ARC: f64 = 0.55;
 
 /// A generator of random numbers between 0 and 1 (SplitMix64).
 struct Random(u64);
@@ -52,7 +55,8 @@ struct Strand {
 }
 
 impl Strand {
-    fn random(random: &mut Random) -> Self {
+    /// For arcs, the curvature is constant up to the last place of s1.
+    fn random(curves: Curves, random: &mut Random) -> Self {
         let bend = random.between(0.0, 1.1);
         let waves = [0.0, 0.7, 1.9].map(|frequency| {
             let phase = random.between(0.0, TAU);
@@ -63,6 +67,9 @@ impl Strand {
         let (switch, width) = (random.between(-1.0, 0.5), random.between(0.03, 0.5));
         let in_waves = random.next() < 0.4;
         let curvature = |s: f64| -> f64 {
+            if curves == Curves::Arcs && s < ARC {
+                return ends[0];
+            }
             if in_waves {
                 let waves = waves.iter();
                 return waves.map(|(a, f, phase)| a * (f * s + phase).sin()).sum();
@@ -241,17 +248,26 @@ fn reasons(real: &Real, random: &mut Random) -> Vec<Reason> {
 
 #[test]
 fn no_real_curve_is_refuted() {
+    refutes_none(Curves::Smooth);
+}
+
+#[test]
+fn no_real_arc_is_refuted() {
+    refutes_none(Curves::Arcs);
+}
+
+fn refutes_none(curves: Curves) {
     let mut random = Random(1);
     let (mut tried, mut tight) = (0, 0);
     for _ in 0..100 {
-        let strand = Strand::random(&mut random);
+        let strand = Strand::random(curves, &mut random);
         for _ in 0..120 {
             let Some(real) = choose(&strand, &mut random) else {
                 continue;
             };
             let leaf = |midpoint, reason| Leaf { midpoint, reason };
             let fails = |leaf: Leaf| {
-                let refuted = refutes(&real.unknowns, real.rho, &leaf);
+                let refuted = curves.refutes(&real.unknowns, real.rho, &leaf);
                 assert!(
                     !refuted,
                     "{leaf:?} refutes {:?}, {:?}",
@@ -279,7 +295,7 @@ fn a_disc_on_a_normal_off_the_axis_is_free() {
     let mut random = Random(2);
     let mut passed = 0;
     for _ in 0..100 {
-        let strand = Strand::random(&mut random);
+        let strand = Strand::random(Curves::Smooth, &mut random);
         let foot = index(HALF - 100, HALF + 100, &mut random);
         let height = 2.0 * strand.radii[foot][0].min(1.0) * random.between(0.7, 1.2);
         let obstacle = strand.raised(foot, height);

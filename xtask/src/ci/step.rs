@@ -45,7 +45,7 @@ pub(super) enum Step {
     ReproducePaper,
     /// The experiments of compare, at few trials
     Compare,
-    /// The certificate of Theorem 2
+    /// The certificates of Theorem 2
     #[value(name = "theorem-2")]
     Theorem2,
     /// Instructions of the kernels against the committed baseline
