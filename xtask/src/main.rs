@@ -9,6 +9,7 @@
 mod bench;
 mod ci;
 mod compare;
+mod counterexamples;
 mod docs;
 mod fetch_paper_data;
 mod noise;
@@ -46,6 +47,8 @@ enum Task {
     Bench(bench::Args),
     /// Compare the reconstruction algorithms: experiments, tables, plots and a page
     Compare(compare::Args),
+    /// Prove how sparse the samples are on which algorithms are known to fail, or find others
+    Counterexamples(counterexamples::Args),
     /// Draw and write the generated files under docs, or check that they are fresh
     Docs(docs::Args),
     /// Fit curves to points that scatter about known ones: tables, and pictures of what went wrong

@@ -6,12 +6,14 @@
 //! |---|---|
 //! | [`paper`] | the paper's tables and figures, measured and drawn |
 //! | [`compare`] | comparisons of algorithms: experiments, rows, means, tables, plots, a page |
+//! | [`counterexamples`] | samples on which algorithms fail, and their search |
 //! | [`noise`] | curves fitted to points that scatter about known ones |
 //! | [`figure`] | panels of curves, points and edges, as SVG |
 //! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
 
 pub mod compare;
+pub mod counterexamples;
 pub mod docs;
 pub mod drawing;
 mod family;

@@ -1,6 +1,6 @@
 //! The bounds of sampling conditions against closed forms and against dense points.
 
-use curvecrust_proof::{ClosedSpline, SampledSplines, SamplingCondition};
+use curvecrust_proof::{ClosedSpline, Interval, SampledSplines, SamplingCondition};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -60,62 +60,59 @@ fn two_circles_have_an_axis_between_them() {
     );
 }
 
-/// What dense points show: lfs by the balls that touch at one of them and meet another one.
-fn lower_bounds(sampled: &SampledSplines, per: usize) -> [f64; 2] {
-    let [spline] = &sampled.splines[..] else {
-        panic!("one spline");
-    };
-    let n = spline.len() * per;
+/// Dense points of a segment.
+const PER: usize = 40;
+
+fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Centres of the smallest balls that touch a polygon at one of its points and meet another one.
+fn centres(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let n = points.len();
+    let mut centres = Vec::new();
+    for (i, p) in points.iter().enumerate() {
+        let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
+        let length = between(before, after);
+        let normal = [
+            (before[1] - after[1]) / length,
+            (after[0] - before[0]) / length,
+        ];
+        let bend = |q: &[f64; 2]| {
+            let rise = normal[0] * (q[0] - p[0]) + normal[1] * (q[1] - p[1]);
+            2.0 * rise / between(*p, *q).powi(2)
+        };
+        let bends = points.iter().filter(|q| *q != p).map(bend);
+        let [least, most] = bends.fold([0.0_f64; 2], |[a, b], x| [a.min(x), b.max(x)]);
+        let curved = [least, most].into_iter().filter(|bend| *bend != 0.0);
+        centres.extend(curved.map(|bend| [p[0] + normal[0] / bend, p[1] + normal[1] / bend]));
+    }
+    centres
+}
+
+/// The epsilon and the rho that samples in the middles of segments attain at dense points.
+fn attained(spline: &ClosedSpline, every: usize) -> [f64; 2] {
     let place = |i: usize| {
-        let point = spline.point(i / per % spline.len(), (i % per) as f64 / per as f64);
-        point.map(|side| side.middle())
+        let point = spline.point(i / PER, (i % PER) as f64 / PER as f64);
+        point.map(Interval::middle)
     };
-    let points: Vec<[f64; 2]> = (0..n).map(place).collect();
-    let between = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    // Points that are on the axis but for the distance of dense points: the middle of a segment
-    // between two of them is no nearer to the axis than lfs of either allows.
+    let points: Vec<[f64; 2]> = (0..spline.len() * PER).map(place).collect();
+    let centres = centres(&points);
     let lfs = |p: [f64; 2]| {
-        let mut least = f64::INFINITY;
-        for (i, q) in points.iter().enumerate() {
-            let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
-            let chord = [after[0] - before[0], after[1] - before[1]];
-            let length = chord[0].hypot(chord[1]);
-            let normal = [-chord[1] / length, chord[0] / length];
-            let (mut most, mut smallest) = (0.0_f64, 0.0_f64);
-            for other in &points {
-                let to = [other[0] - q[0], other[1] - q[1]];
-                let square = to[0] * to[0] + to[1] * to[1];
-                if square > 0.0 {
-                    let bend = 2.0 * (normal[0] * to[0] + normal[1] * to[1]) / square;
-                    most = most.max(bend);
-                    smallest = smallest.min(bend);
-                }
-            }
-            for bend in [most, smallest] {
-                let center = [q[0] + normal[0] / bend, q[1] + normal[1] / bend];
-                if bend != 0.0 {
-                    least = least.min(between(p, center));
-                }
-            }
-        }
-        least
+        let distances = centres.iter().map(|centre| between(p, *centre));
+        distances.fold(f64::INFINITY, f64::min)
     };
-    let samples: Vec<usize> = sampled.samples[0]
-        .iter()
-        .map(|(segment, at)| segment * per + (at * per as f64).round() as usize)
-        .collect();
+    let (n, step) = (points.len(), every * PER);
     let (mut epsilon, mut rho) = (0.0_f64, 0.0_f64);
-    for (k, start) in samples.iter().enumerate() {
-        let end = samples.get(k + 1).copied().unwrap_or(samples[0] + n);
-        let ends = [points[start % n], points[end % n]];
+    for start in (PER / 2..n).step_by(step) {
+        let ends = [points[start], points[(start + step) % n]];
         let (mut far, mut reach) = (0.0_f64, f64::INFINITY);
-        for i in *start..=end {
+        for i in start..=start + step {
             let p = points[i % n];
             let distance = between(p, ends[0]).min(between(p, ends[1]));
-            let here = lfs(p);
-            epsilon = epsilon.max(distance / here);
+            epsilon = epsilon.max(distance / lfs(p));
             far = far.max(distance);
-            reach = reach.min(here);
+            reach = reach.min(lfs(p));
         }
         rho = rho.max(far / reach);
     }
@@ -136,12 +133,13 @@ proptest! {
             [r * cosine, r * sine]
         };
         let control: Vec<[f64; 2]> = radii.iter().enumerate().map(at).collect();
+        let spline = ClosedSpline { control };
+        let shown = attained(&spline, every);
         let samples = (0..8).step_by(every).map(|segment| (segment, 0.5)).collect();
         let sampled = SampledSplines {
-            splines: vec![ClosedSpline { control }],
+            splines: vec![spline],
             samples: vec![samples],
         };
-        let shown = lower_bounds(&sampled, 40);
         for (condition, shown) in CONDITIONS.into_iter().zip(shown) {
             prop_assert!(sampled.prove(condition, 0.97 * shown, 1e-3).is_err());
             prop_assert!(sampled.prove(condition, 1.05 * shown, 1e-5).is_ok());

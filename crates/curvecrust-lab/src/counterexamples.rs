@@ -1,0 +1,210 @@
+//! Samples of smooth closed curves on which an algorithm fails, and how sparse they are.
+//!
+//! A theorem says below which bound an algorithm is right; a counterexample says from which bound
+//! on it may be wrong. Those of `fixtures/counterexamples` were found by [`Search`]; what their
+//! samples satisfy is proven by interval arithmetic (`curvecrust_proof::SampledSplines`).
+
+mod dense;
+mod search;
+mod shape;
+
+use crate::root;
+use anyhow::{Context, ensure};
+use curvecrust::DVec2;
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::reconstruct::{ALGORITHMS, Reconstructor};
+use curvecrust::sampling::Bound;
+use curvecrust_proof::{ClosedSpline, SampledSplines, SamplingCondition};
+use std::fs;
+use std::path::PathBuf;
+
+pub use dense::Dense;
+pub use search::Search;
+
+/// Closed splines and samples of them on which an algorithm fails.
+#[derive(Clone, Debug)]
+pub struct Counterexample {
+    /// The name of the algorithm.
+    pub algorithm: String,
+    /// The condition that the samples satisfy, and the bound for which that is proven.
+    pub bound: Bound,
+    /// The curves and the samples.
+    pub sampled: SampledSplines,
+}
+
+/// Boxes narrower than this, in the unit of the curves, are given up.
+const LEAST: f64 = 1e-6;
+
+/// Where they are.
+fn folder() -> PathBuf {
+    root().join("fixtures/counterexamples")
+}
+
+/// All of them, in the order of their names.
+///
+/// # Errors
+/// If a file cannot be read or is none.
+pub fn all() -> anyhow::Result<Vec<Counterexample>> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder()).context("cannot read fixtures/counterexamples")? {
+        paths.push(entry?.path());
+    }
+    paths.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "splines")
+    });
+    paths.sort();
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(&path)?;
+        Counterexample::from_text(&text).with_context(|| path.display().to_string())
+    };
+    paths.into_iter().map(read).collect()
+}
+
+impl Counterexample {
+    /// From its text: a line of the algorithm, the condition and the bound, then the splines.
+    fn from_text(text: &str) -> anyhow::Result<Self> {
+        let (head, splines) = text.split_once('\n').context("one line")?;
+        let words: Vec<&str> = head.split(' ').collect();
+        let [algorithm, condition, bound] = words[..] else {
+            anyhow::bail!("the first line is no algorithm, condition and bound");
+        };
+        let value: f64 = bound.parse()?;
+        let bound = match condition {
+            "epsilon" => Bound::Epsilon(value),
+            "rho" => Bound::Rho(value),
+            other => anyhow::bail!("no condition {other}"),
+        };
+        Ok(Self {
+            algorithm: algorithm.to_owned(),
+            bound,
+            sampled: splines.parse()?,
+        })
+    }
+
+    /// What [`all`] reads, and the name of the file.
+    #[must_use]
+    pub fn to_text(&self) -> (String, String) {
+        let (condition, value) = match self.bound {
+            Bound::Epsilon(value) => ("epsilon", value),
+            Bound::Rho(value) => ("rho", value),
+        };
+        let name = format!("{}-{condition}.splines", self.algorithm);
+        let head = format!("{} {condition} {value}", self.algorithm);
+        (name, format!("{head}\n{}", self.sampled))
+    }
+
+    /// The algorithm.
+    ///
+    /// # Errors
+    /// If there is none of its name.
+    pub fn reconstructor(&self) -> anyhow::Result<&'static dyn Reconstructor> {
+        let known = ALGORITHMS.iter().copied();
+        let mut named = known.filter(|algorithm| algorithm.info().name == self.algorithm);
+        named
+            .next()
+            .with_context(|| format!("no algorithm {}", self.algorithm))
+    }
+
+    /// The samples, spline by spline.
+    ///
+    /// # Errors
+    /// If two are equal.
+    pub fn points(&self) -> anyhow::Result<PointSet> {
+        let splines = self.sampled.splines.iter().zip(&self.sampled.samples);
+        let places = splines.flat_map(|(spline, samples)| {
+            samples.iter().map(|(segment, at)| {
+                DVec2::from_array(spline.point(*segment, *at).map(|side| side.middle()))
+            })
+        });
+        Ok(PointSet::new(places.collect())?)
+    }
+
+    /// The polygons of the samples.
+    #[must_use]
+    pub fn truth(&self) -> EdgeSet {
+        let counts: Vec<usize> = self.sampled.samples.iter().map(Vec::len).collect();
+        polygons(&counts)
+    }
+
+    /// The control points of its splines.
+    #[must_use]
+    pub fn control(&self) -> Vec<Vec<DVec2>> {
+        let points = |spline: &ClosedSpline| {
+            let all = spline.control.iter().copied();
+            all.map(DVec2::from_array).collect()
+        };
+        self.sampled.splines.iter().map(points).collect()
+    }
+
+    /// Proves that the samples satisfy the condition for the bound; says how many boxes it took.
+    ///
+    /// # Errors
+    /// If it cannot be proven.
+    pub fn prove(&self) -> anyhow::Result<usize> {
+        Ok(prove(&self.sampled, self.bound)?)
+    }
+}
+
+fn prove(sampled: &SampledSplines, bound: Bound) -> Result<usize, curvecrust_proof::Undecided> {
+    let condition = match bound {
+        Bound::Epsilon(_) => SamplingCondition::Epsilon,
+        Bound::Rho(_) => SamplingCondition::Rho,
+    };
+    sampled.prove(condition, bound.value(), LEAST)
+}
+
+/// A counterexample from what a search found: its bound is the least one with four decimals that is
+/// proven, not much above the one at dense points.
+///
+/// # Errors
+/// If none is proven, or the algorithm is right after all.
+pub fn certified(
+    search: &Search<'_>,
+    (bound, sampled): (f64, SampledSplines),
+) -> anyhow::Result<Counterexample> {
+    let with = |value: f64| match search.kind {
+        Bound::Epsilon(_) => Bound::Epsilon(value),
+        Bound::Rho(_) => Bound::Rho(value),
+    };
+    let first = (bound * 1e4).ceil() as u32;
+    let mut values = (first..first + first / 10).map(|i| f64::from(i) / 1e4);
+    let proven = values.find(|value| prove(&sampled, with(*value)).is_ok());
+    let found = Counterexample {
+        algorithm: search.algorithm.info().name.to_owned(),
+        bound: with(proven.context("no bound near the one at dense points is proven")?),
+        sampled,
+    };
+    let returned = search.algorithm.reconstruct(&found.points()?);
+    ensure!(returned != found.truth(), "the algorithm is right");
+    Ok(found)
+}
+
+/// Polygons of so many points each, which follow each other.
+fn polygons(counts: &[usize]) -> EdgeSet {
+    let mut edges = Vec::new();
+    let mut first = 0;
+    for count in counts {
+        let end = first + count;
+        let next = |i: usize| if i + 1 < end { i + 1 } else { first };
+        let ids = (first..end).map(|i| [i, next(i)].map(PointId::new));
+        edges.extend(ids.filter_map(|[a, b]| Edge::new(a?, b?)));
+        first = end;
+    }
+    EdgeSet::new(first, edges)
+}
+
+/// Splines and samples at dense points, as the proof takes them.
+fn sampled(splines: &[Vec<DVec2>], dense: &Dense, samples: &[Vec<usize>]) -> SampledSplines {
+    let control = splines.iter().map(|control| ClosedSpline {
+        control: control.iter().map(|point| point.to_array()).collect(),
+    });
+    let placed = samples.iter().enumerate().map(|(component, placed)| {
+        let parameter = |i: &usize| dense.parameter(component, *i);
+        placed.iter().map(parameter).collect()
+    });
+    SampledSplines {
+        splines: control.collect(),
+        samples: placed.collect(),
+    }
+}
