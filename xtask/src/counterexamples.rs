@@ -84,7 +84,7 @@ fn search(name: &str, args: &Args) -> anyhow::Result<ExitCode> {
     };
     let found = certified(&search, found)?;
     let same = |other: &Counterexample| {
-        other.algorithm == found.algorithm && shown(other.bound)[..3] == shown(found.bound)[..3]
+        other.name() == found.name()
     };
     let known = all()?.into_iter().find(same).map(|other| other.bound);
     println!(
@@ -93,16 +93,11 @@ fn search(name: &str, args: &Args) -> anyhow::Result<ExitCode> {
         known.map_or("none".to_owned(), shown)
     );
     if known.is_none_or(|known| found.bound.value() < known.value()) {
-        let (file, text) = found.to_text();
-        write_atomically(&root().join("fixtures/counterexamples").join(&file), text)?;
-        println!("wrote fixtures/counterexamples/{file}");
+        let file = format!("fixtures/counterexamples/{}.splines", found.name());
+        write_atomically(&root().join(&file), found.to_text())?;
+        println!("wrote {file}; run cargo xtask docs for its other files");
+    } else if let Some(known) = known {
+        println!("the known one has {known}");
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn shown(bound: Bound) -> String {
-    match bound {
-        Bound::Epsilon(value) => format!("epsilon < {value}"),
-        Bound::Rho(value) => format!("rho < {value}"),
-    }
 }

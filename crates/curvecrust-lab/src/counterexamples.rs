@@ -5,6 +5,7 @@
 //! samples satisfy is proven by interval arithmetic (`curvecrust_proof::SampledSplines`).
 
 mod dense;
+mod picture;
 mod search;
 mod shape;
 
@@ -19,6 +20,7 @@ use std::fs;
 use std::path::PathBuf;
 
 pub use dense::Dense;
+pub(crate) use picture::made;
 pub use search::Search;
 
 /// Closed splines and samples of them on which an algorithm fails.
@@ -82,16 +84,27 @@ impl Counterexample {
         })
     }
 
-    /// What [`all`] reads, and the name of the file.
+    /// What [`all`] reads.
     #[must_use]
-    pub fn to_text(&self) -> (String, String) {
-        let (condition, value) = match self.bound {
-            Bound::Epsilon(value) => ("epsilon", value),
-            Bound::Rho(value) => ("rho", value),
-        };
-        let name = format!("{}-{condition}.splines", self.algorithm);
-        let head = format!("{} {condition} {value}", self.algorithm);
-        (name, format!("{head}\n{}", self.sampled))
+    pub fn to_text(&self) -> String {
+        let (algorithm, condition) = (&self.algorithm, self.condition());
+        let value = self.bound.value();
+        format!("{algorithm} {condition} {value}\n{}", self.sampled)
+    }
+
+    /// The name of its files, without what tells them apart.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}-{}", self.algorithm, self.condition())
+    }
+
+    /// The name of the condition.
+    #[must_use]
+    pub fn condition(&self) -> &'static str {
+        match self.bound {
+            Bound::Epsilon(_) => "epsilon",
+            Bound::Rho(_) => "rho",
+        }
     }
 
     /// The algorithm.
@@ -125,6 +138,47 @@ impl Counterexample {
     pub fn truth(&self) -> EdgeSet {
         let counts: Vec<usize> = self.sampled.samples.iter().map(Vec::len).collect();
         polygons(&counts)
+    }
+
+    /// Its splines as Béziers, in the syntax of SVG paths.
+    #[must_use]
+    pub fn path_data(&self) -> String {
+        let mut data = String::new();
+        for control in self.control() {
+            for i in 0..control.len() {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|k| control[(i + k) % control.len()]);
+                let [start, end] = [(a + 4.0 * b + c) / 6.0, (b + 4.0 * c + d) / 6.0];
+                let [out, into] = [(2.0 * b + c) / 3.0, (b + 2.0 * c) / 3.0];
+                if i == 0 {
+                    data += &format!("M {} {} ", start.x, start.y);
+                }
+                data += &format!("C {} {} {} {} {} {} ", out.x, out.y, into.x, into.y, end.x, end.y);
+            }
+            data += "Z ";
+        }
+        data.trim_end().to_owned()
+    }
+
+    /// The files that the program reads: the curve as SVG and the samples as CSV, by their names.
+    ///
+    /// # Errors
+    /// Those of [`points`](Self::points).
+    pub fn files(&self) -> anyhow::Result<[(String, String); 2]> {
+        let points = self.points()?;
+        let [low, high] = bounds(points.points());
+        let margin = 0.1 * (high - low).max_element();
+        let (from, size) = (low - margin, high - low + 2.0 * margin);
+        let view = format!("{:.2} {:.2} {:.2} {:.2}", from.x, from.y, size.x, size.y);
+        let width = margin / 30.0;
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{view}\"><path fill=\"none\" \
+             stroke=\"black\" stroke-width=\"{width:.4}\" d=\"{}\"/></svg>\n",
+            self.path_data()
+        );
+        let rows = points.points().iter().map(|p| format!("{},{}\n", p.x, p.y));
+        let csv = "x,y\n".to_owned() + &rows.collect::<String>();
+        let name = self.name();
+        Ok([(format!("{name}.svg"), svg), (format!("{name}.csv"), csv)])
     }
 
     /// The control points of its splines.
@@ -178,6 +232,13 @@ pub fn certified(
     let returned = search.algorithm.reconstruct(&found.points()?);
     ensure!(returned != found.truth(), "the algorithm is right");
     Ok(found)
+}
+
+/// The corners of the smallest box about points.
+fn bounds(points: &[DVec2]) -> [DVec2; 2] {
+    let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let grow = |[low, high]: [DVec2; 2], p: &DVec2| [low.min(*p), high.max(*p)];
+    points.iter().fold(none, grow)
 }
 
 /// Polygons of so many points each, which follow each other.

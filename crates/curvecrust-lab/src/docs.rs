@@ -1,6 +1,7 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
 use crate::compare::published;
+use crate::counterexamples;
 use crate::family;
 use crate::method;
 use crate::paper::figures::{self, PointSets};
@@ -15,7 +16,8 @@ pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     let images = images.map(|(name, text)| (name.to_owned(), text));
     let family = family::figures()?.into_iter();
     let family = family.map(|(name, figure)| (name, figure.to_svg()));
-    Ok(images.chain(family).chain(published::made()?).collect())
+    let others = [published::made()?, counterexamples::made()?].concat();
+    Ok(images.chain(family).chain(others).collect())
 }
 
 /// Figures of the paper on our own curves and points, for the README, and those of
