@@ -13,7 +13,7 @@
 //! any two dots: so the encoder gets to the end of every curve. The solver is run at last.
 //!
 //! A sampling condition asks for no colours, and for more or fewer dots: what colours cost and save
-//! is measured in `docs/method.md` of this project.
+//! is counted in `docs/results/puzzles.md` of this project.
 //!
 //! Cost: for n dense points and c colours about c n questions to an R-tree.
 
@@ -275,11 +275,21 @@ impl<'a> Encoder<'a> {
             false => stop,
         };
         let keeps = |to| self.keeps(arcs, from, to);
-        farthest(from + 1, from + 1, most, keeps).ok_or_else(|| SamplingError::TooCoarse {
+        let far = farthest(from + 1, from + 1, most, keeps);
+        let far = far.ok_or_else(|| SamplingError::TooCoarse {
             index: arcs.component.after(arcs.component.range.start, from),
             at: arcs.point(from),
             gap: arcs.point(from).distance(arcs.point(from + 1)),
             lfs: arcs.lfs(from).min(arcs.lfs(from + 1)),
+        })?;
+        // What is left for the last step is no sliver.
+        let (step, left) = (far - from, stop - far);
+        let shared = from + (3 * (step + left)).div_ceil(5);
+        let is_sliver = 0 < left && 2 * left < step;
+        Ok(if is_sliver && self.keeps(arcs, from, shared) {
+            shared
+        } else {
+            far
         })
     }
 
