@@ -5,6 +5,7 @@ use crate::family;
 use crate::method;
 use crate::paper::figures::{self, PointSets};
 use crate::paper::models;
+use crate::puzzles;
 
 /// The files that are made: their names below the root, and what they should hold.
 ///
@@ -15,7 +16,9 @@ pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     let images = images.map(|(name, text)| (name.to_owned(), text));
     let family = family::figures()?.into_iter();
     let family = family.map(|(name, figure)| (name, figure.to_svg()));
-    Ok(images.chain(family).chain(published::made()?).collect())
+    let pages = [(puzzles::NAME.to_owned(), puzzles::page()?)];
+    let all = images.chain(family).chain(pages);
+    Ok(all.chain(published::made()?).collect())
 }
 
 /// Figures of the paper on our own curves and points, for the README, and those of

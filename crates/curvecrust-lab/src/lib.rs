@@ -21,6 +21,7 @@ pub mod noise;
 mod page;
 pub mod paper;
 mod png;
+mod puzzles;
 mod repository;
 pub mod table;
 
