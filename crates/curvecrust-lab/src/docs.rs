@@ -1,5 +1,6 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
+use crate::claims;
 use crate::compare::published;
 use crate::family;
 use crate::method;
@@ -16,7 +17,10 @@ pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     let images = images.map(|(name, text)| (name.to_owned(), text));
     let family = family::figures()?.into_iter();
     let family = family.map(|(name, figure)| (name, figure.to_svg()));
-    let pages = [(puzzles::NAME.to_owned(), puzzles::page()?)];
+    let pages = [
+        (puzzles::NAME.to_owned(), puzzles::page()?),
+        (claims::NAME.to_owned(), claims::page()?),
+    ];
     let all = images.chain(family).chain(pages);
     Ok(all.chain(published::made()?).collect())
 }

@@ -11,6 +11,7 @@
 //! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
 
+mod claims;
 pub mod compare;
 pub mod docs;
 pub mod drawing;
