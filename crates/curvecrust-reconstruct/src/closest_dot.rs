@@ -6,7 +6,7 @@
 //! Each dot has one or more colours. For each of its colours, it is joined with the closest other
 //! dot that has this colour too. This is no [`Reconstructor`](crate::Reconstructor), since those
 //! see bare points: here the colours carry what a sampling condition would have to guarantee.
-//! `curvecrust-sampling` makes the dots of a curve such that the rule returns exactly their polygon.
+//! `curvecrust-sampling` makes dots of a curve such that the rule returns exactly their polygon.
 //!
 //! Cost: O(m log m) for m pairs of a dot and its colour, by one R-tree a colour. Only where many
 //! dots are equally far from one, all of these are looked at.

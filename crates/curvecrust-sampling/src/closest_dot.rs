@@ -4,16 +4,16 @@
 //! Connect-The-Dots Family of Puzzles: Design and Automatic Generation*, SIGGRAPH 2014.
 //!
 //! The solver joins each dot, for each of its colours, with the closest other dot of this colour
-//! ([`curvecrust_reconstruct::closest_dot`]). The encoder walks along each curve. The next dot is
-//! as far as the curve allows and the solver would still join it in some colour, with a margin; a
-//! new colour comes where none fits. In one colour, steps may get shorter and then longer again. So
-//! a dot has one colour along such a run, and two where the next run begins.
+//! ([`mod@curvecrust_reconstruct::closest_dot`]). The encoder walks along each curve. The next dot
+//! is as far as the curve allows and the solver would still join it in some colour, with a margin;
+//! a new colour comes where none fits. In one colour, steps may get shorter and then longer again.
+//! So a dot has one colour along such a run, and two where the next run begins.
 //!
 //! Each edge is added only if the solver joins all dots so far as before, and a new colour joins
 //! any two dots: so the encoder gets to the end of every curve. The solver is run at last.
 //!
-//! A sampling condition asks for no colours, and for more or fewer dots: what colours cost and save
-//! is counted in `docs/results/puzzles.md` of this project.
+//! A sampling condition asks for no colours, but for more dots: `docs/results/puzzles.md` of this
+//! project counts both.
 //!
 //! Cost: for n dense points and c colours about c n questions to an R-tree.
 
