@@ -2,11 +2,13 @@
 
 mod fit;
 mod known;
+mod puzzle;
 mod tiles;
 mod values;
 
 pub(crate) use fit::Fit;
 pub(crate) use known::Known;
+pub(crate) use puzzle::Puzzle;
 pub(crate) use tiles::Tiles;
 pub(crate) use values::{Algorithm, Corners, Count, Distance, Keep, Strokes};
 
@@ -53,6 +55,7 @@ pub(crate) enum Command {
     MedialAxis(MedialAxis),
     Lfs(Lfs),
     Draw(Draw),
+    Puzzle(Puzzle),
     Algorithms(Algorithms),
     Completions(Completions),
 }

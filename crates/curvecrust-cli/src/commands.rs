@@ -12,6 +12,7 @@ mod fit;
 mod guarantee;
 mod lfs;
 mod medial_axis;
+mod puzzle;
 mod reconstruct;
 mod sample;
 
@@ -34,6 +35,7 @@ pub(crate) enum Job {
     MedialAxis(medial_axis::Job),
     Lfs(lfs::Job),
     Draw(draw::Job),
+    Puzzle(puzzle::Job),
     Algorithms {
         json: bool,
     },
@@ -54,6 +56,7 @@ impl Job {
             Command::MedialAxis(args) => Self::MedialAxis(medial_axis::Job::new(args)?),
             Command::Lfs(args) => Self::Lfs(lfs::Job::new(args)?),
             Command::Draw(args) => Self::Draw(draw::Job::new(args)?),
+            Command::Puzzle(args) => Self::Puzzle(puzzle::Job::new(args)?),
             Command::Algorithms(args) => Self::Algorithms { json: args.json },
             Command::Completions(args) => Self::Completions(args.shell),
         })
@@ -75,6 +78,7 @@ impl Job {
             Self::MedialAxis(job) => job.run(console),
             Self::Lfs(job) => job.run(console),
             Self::Draw(job) => job.run(console),
+            Self::Puzzle(job) => job.run(console),
             Self::Algorithms { json } => algorithms::run(json),
             Self::Completions(shell) => completions::run(shell),
         }

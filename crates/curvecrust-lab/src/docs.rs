@@ -1,11 +1,13 @@
 //! `cargo xtask docs`: the files under docs that are made, not written.
 
+use crate::claims;
 use crate::compare::published;
 use crate::counterexamples;
 use crate::family;
 use crate::method;
 use crate::paper::figures::{self, PointSets};
 use crate::paper::models;
+use crate::puzzles;
 
 /// The files that are made: their names below the root, and what they should hold.
 ///
@@ -16,8 +18,12 @@ pub fn made() -> anyhow::Result<Vec<(String, String)>> {
     let images = images.map(|(name, text)| (name.to_owned(), text));
     let family = family::figures()?.into_iter();
     let family = family.map(|(name, figure)| (name, figure.to_svg()));
+    let pages = [
+        (puzzles::NAME.to_owned(), puzzles::page()?),
+        (claims::NAME.to_owned(), claims::page()?),
+    ];
     let others = [published::made()?, counterexamples::made()?].concat();
-    Ok(images.chain(family).chain(others).collect())
+    Ok(images.chain(family).chain(pages).chain(others).collect())
 }
 
 /// Figures of the paper on our own curves and points, for the README, and those of

@@ -12,6 +12,7 @@
 //! | [`table`] | tables as values, written as Markdown, CSV and HTML |
 //! | [`docs`] | the files under docs that are made, not written |
 
+mod claims;
 pub mod compare;
 pub mod counterexamples;
 pub mod docs;
@@ -23,6 +24,7 @@ pub mod noise;
 mod page;
 pub mod paper;
 mod png;
+mod puzzles;
 mod repository;
 pub mod table;
 

@@ -105,6 +105,16 @@ pub enum ReconstructError {
         /// The number of points.
         count: usize,
     },
+    /// Dots have more or fewer sets of colours than there are points.
+    #[error(
+        "there are {sets} sets of colours for {count} points: give each point one, in their order"
+    )]
+    ColourCount {
+        /// The number of sets.
+        sets: usize,
+        /// The number of points.
+        count: usize,
+    },
     /// The radius of an alpha-shape is not above 0, infinite or not a number.
     #[error("alpha is {alpha}: give a finite number above 0, about the spacing of the samples")]
     Alpha {

@@ -59,9 +59,9 @@
 //! [`shortest-tour`]: mod@shortest_tour
 //!
 //! Each algorithm is also a function of its own, such as [`hnn_crust()`] or [`one_step_crust()`],
-//! which returns a [`Skeleton`] with an estimate of the local feature size. A [`Reconstruction`]
-//! orders edges into curves and rings inside rings; a [`ViolationReport`] shows where the sampling
-//! was too sparse.
+//! which returns a [`Skeleton`] with an estimate of the local feature size. Dots in colours, as of
+//! puzzles, are joined by [`closest_dot()`]. A [`Reconstruction`] orders edges into curves and rings
+//! inside rings; a [`ViolationReport`] shows where the sampling was too sparse.
 //!
 //! ```
 //! use curvecrust_geometry::{DVec2, PointSet};
@@ -80,6 +80,7 @@ pub mod algorithm;
 pub mod algorithms;
 pub mod alpha_shape;
 pub mod beta_skeleton;
+pub mod closest_dot;
 mod clusters;
 pub mod connect2d;
 pub mod conservative_crust;
@@ -132,6 +133,7 @@ pub use algorithm::{
 pub use algorithms::ALGORITHMS;
 pub use alpha_shape::{Alpha, AlphaShape, alpha_shape};
 pub use beta_skeleton::{Beta, BetaSkeleton, beta_skeleton};
+pub use closest_dot::{Colour, Dots, closest_dot};
 pub use connect2d::{Connect2d, connect2d};
 pub use conservative_crust::{ConservativeCrust, ConservativeRho, conservative_crust};
 pub use crawl::{Crawl, crawl};

@@ -189,46 +189,7 @@ impl<'a> Arcs<'a> {
         guess: usize,
         end: usize,
     ) -> Option<usize> {
-        let holds = |to| self.holds(condition, from, to);
-        let first = from + 1;
-        let guess = guess.min(end).max(first);
-        let mut step = 1;
-        let (mut good, mut bad) = if holds(guess) {
-            let mut good = guess;
-            loop {
-                if good >= end {
-                    return Some(end);
-                }
-                let next = (good + step).min(end);
-                if !holds(next) {
-                    break (good, next);
-                }
-                good = next;
-                step *= 2;
-            }
-        } else {
-            let mut bad = guess;
-            loop {
-                if bad == first {
-                    return None;
-                }
-                let next = bad.saturating_sub(step).max(first);
-                if holds(next) {
-                    break (next, bad);
-                }
-                bad = next;
-                step *= 2;
-            }
-        };
-        while bad - good > 1 {
-            let middle = good.midpoint(bad);
-            if holds(middle) {
-                good = middle;
-            } else {
-                bad = middle;
-            }
-        }
-        Some(good)
+        farthest(from + 1, guess, end, |to| self.holds(condition, from, to))
     }
 
     /// A lower bound of the reach.
@@ -283,6 +244,54 @@ impl<'a> Arcs<'a> {
             [(from, to), (0, 0)]
         }
     }
+}
+
+/// The last position from `first` to `end` that holds, or one that does and the next does not;
+/// `None` if not even the first does. Looks near a `guess` first.
+pub(crate) fn farthest(
+    first: usize,
+    guess: usize,
+    end: usize,
+    holds: impl Fn(usize) -> bool,
+) -> Option<usize> {
+    let guess = guess.min(end).max(first);
+    let mut step = 1;
+    let (mut good, mut bad) = if holds(guess) {
+        let mut good = guess;
+        loop {
+            if good >= end {
+                return Some(end);
+            }
+            let next = (good + step).min(end);
+            if !holds(next) {
+                break (good, next);
+            }
+            good = next;
+            step *= 2;
+        }
+    } else {
+        let mut bad = guess;
+        loop {
+            if bad == first {
+                return None;
+            }
+            let next = bad.saturating_sub(step).max(first);
+            if holds(next) {
+                break (next, bad);
+            }
+            bad = next;
+            step *= 2;
+        }
+    };
+    while bad - good > 1 {
+        let middle = good.midpoint(bad);
+        if holds(middle) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    Some(good)
 }
 
 /// The level of the longest arc that starts at `at` and ends at `end` or before.

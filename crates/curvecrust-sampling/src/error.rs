@@ -1,7 +1,7 @@
 //! Why a curve cannot be sampled, or samples not be judged.
 
 use curvecrust_curve::DENSE_LIMIT;
-use curvecrust_geometry::DVec2;
+use curvecrust_geometry::{DVec2, PointSetError};
 use curvecrust_medial_axis::MedialAxisError;
 use thiserror::Error;
 
@@ -123,6 +123,21 @@ pub enum SamplingError {
         /// What is taken.
         range: &'static str,
     },
+    /// Dots of a puzzle that the solver would not join as the curve does.
+    #[error(
+        "near ({}, {}) dots would be joined in another way than along the curve: give a larger margin \
+         than {margin:e}",
+        at.x, at.y
+    )]
+    NotSolved {
+        /// One of the dots.
+        at: DVec2,
+        /// The margin that was asked for.
+        margin: f64,
+    },
+    /// Samples that are no point set, such as two at one place where strokes touch.
+    #[error(transparent)]
+    Points(#[from] PointSetError),
     /// The curve has no local feature size that can be computed.
     #[error(transparent)]
     Measure(#[from] MedialAxisError),

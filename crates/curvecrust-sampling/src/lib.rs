@@ -12,6 +12,7 @@
 //! | [`pieces`] | [`sample_split`]: certified on each smooth piece of a curve with corners | |
 //! | [`decoded`] | [`sample_decoded`]: the same, as many as an algorithm needs to return them | |
 //! | [`verified`] | [`sample_verified`]: as few as an algorithm still reconstructs, without guarantee | |
+//! | [`closest_dot`] | [`sample_puzzle`]: dots in colours by which each finds the next | Löffler et al. 2014 |
 //! | [`mod@check`] | [`check()`], [`effective_epsilon`], [`effective_rho`]: how good given samples are | Definitions 1 and 3 |
 //! | [`uneven`] | [`sample_uniformly`]: equal lengths of arc; [`sample_unevenly`]: shorter steps at random | |
 //! | [`noise`] | [`with_noise`], [`with_outliers`]: samples with errors | |
@@ -39,6 +40,7 @@
 mod arcs;
 pub mod certified;
 pub mod check;
+pub mod closest_dot;
 pub mod condition;
 pub mod decoded;
 pub mod dense_points;
@@ -59,6 +61,7 @@ pub mod verified;
 
 pub use certified::{sample, sample_curve, sample_curve_with};
 pub use check::{Attained, Interval, Verdict, check, effective_epsilon, effective_rho};
+pub use closest_dot::{Puzzle, PuzzleOptions, sample_puzzle};
 pub use condition::{Bound, Condition, ConditionError, DeviationLimit};
 pub use decoded::{DecodeOptions, Decoded, decode, sample_decoded, sample_decoded_with};
 pub use dense_points::{sample_as_published, sample_at_dense_points};

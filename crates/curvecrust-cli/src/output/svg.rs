@@ -8,6 +8,7 @@
 //! Colours differ in lightness too, and lines from marks in shape, so that a picture can be read in
 //! grey.
 
+mod dots;
 mod fitted;
 mod frame;
 mod lfs;
@@ -19,7 +20,7 @@ use curvecrust::curve::Curve;
 use curvecrust::denoise::Fitted;
 use curvecrust::geometry::{PointSet, Segment};
 use curvecrust::medial_axis::MeasuredCurve;
-use curvecrust::reconstruct::Explanation;
+use curvecrust::reconstruct::{Dots, Explanation};
 use frame::Frame;
 use std::fmt;
 use std::io::{self, Write};
@@ -46,6 +47,10 @@ pub(crate) enum Layer<'a> {
     FittedPoints(&'a PointSet, &'a Fitted),
     /// Sample points.
     Points(&'a [DVec2]),
+    /// The lines of the solution of a puzzle.
+    Joins(&'a Dots),
+    /// The dots of a puzzle, with its rules.
+    Dots(&'a Dots),
     /// Where the sampling was too sparse.
     Marks {
         leaves: Places<'a>,
@@ -106,6 +111,8 @@ impl Layer<'_> {
                     writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}"/>"#)?;
                 }
             }
+            Self::Joins(dots) => dots::lines(out, dots, pixel)?,
+            Self::Dots(dots) => dots::write(out, dots, frame)?,
             Self::Marks {
                 leaves,
                 isolated,

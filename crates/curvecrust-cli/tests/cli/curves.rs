@@ -196,5 +196,5 @@ fn shells_get_their_completions_and_every_command_its_example() {
             count += 1;
         }
     }
-    assert_eq!(count, 10);
+    assert_eq!(count, 11);
 }

@@ -112,6 +112,7 @@ fn objects_have_the_documented_keys() {
         ("evaluate", format!("evaluate {curve} s.csv")),
         ("medial-axis", format!("medial-axis {curve}")),
         ("lfs", format!("lfs {curve}")),
+        ("puzzle", format!("puzzle {curve}")),
         ("algorithms", String::from("algorithms")),
     ] {
         let object = json(&folder.run(&format!("{line} --json")).stdout);

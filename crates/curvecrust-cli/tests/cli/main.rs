@@ -29,6 +29,7 @@ mod memory;
 mod models;
 mod point_files;
 mod processes;
+mod puzzle;
 mod python;
 mod reconstruct;
 mod sample;

@@ -54,7 +54,7 @@ impl Frame {
         let pixel = extent.max_element() / SIZE;
         let has = |is_it: fn(&Layer<'_>) -> bool| u8::from(picture.layers.iter().any(is_it));
         let legends = has(|layer| matches!(layer, Layer::Lfs(_)))
-            + has(|layer| matches!(layer, Layer::Why(..)));
+            + has(|layer| matches!(layer, Layer::Why(..) | Layer::Dots(_)));
         let below = f64::from(legends) * LEGEND;
         Self {
             low: low - MARGIN * pixel,
@@ -99,6 +99,7 @@ fn framed<'a>(layer: &'a Layer<'_>) -> Box<dyn Iterator<Item = DVec2> + 'a> {
                 .flat_map(|c| c.cubics.iter().flatten().copied()),
         ),
         Layer::Why(points, _) => Box::new(points.points().iter().copied()),
+        Layer::Joins(dots) | Layer::Dots(dots) => Box::new(dots.points().points().iter().copied()),
         Layer::Axis(_) | Layer::Marks { .. } => Box::new(std::iter::empty()),
     }
 }

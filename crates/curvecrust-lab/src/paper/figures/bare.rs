@@ -15,7 +15,7 @@ pub(crate) struct PointSets {
     fetched: bool,
     sharp: PointSet,
     open: PointSet,
-    violated: Vec<PointSet>,
+    pub(crate) violated: Vec<PointSet>,
 }
 
 const SHARP: &str = include_str!("../../../../../fixtures/points/sharp-angles.xy");
