@@ -71,6 +71,7 @@ fn main() -> ExitCode {
         Task::FetchPaperData(args) => fetch_paper_data::run(&args),
         Task::Bench(args) => bench::run(&args),
         Task::Compare(args) => compare::run(&args),
+        Task::Counterexamples(args) => counterexamples::run(&args),
         Task::Docs(args) => docs::run(&args),
         Task::Noise(args) => noise::run(&args),
         Task::Python(args) => python::run(&args),

@@ -25,7 +25,10 @@ pub(crate) fn made() -> anyhow::Result<Vec<(String, String)>> {
         columns: 3,
         panels,
     };
-    files.push(("docs/images/counterexamples.svg".to_owned(), figure.to_svg()));
+    files.push((
+        "docs/images/counterexamples.svg".to_owned(),
+        figure.to_svg(),
+    ));
     Ok(files)
 }
 
@@ -37,13 +40,24 @@ fn panel(one: &Counterexample) -> anyhow::Result<Panel> {
         let [start, end] = ends.map(|id| points[id]);
         Segment::new(start, end)
     };
-    let caption = format!("{}, {} < {}", one.algorithm, one.condition(), one.bound.value());
+    let caption = format!(
+        "{}, {} < {}",
+        one.algorithm,
+        one.condition(),
+        one.bound.value()
+    );
     Ok(Panel {
         caption,
         frame: None,
         layers: vec![
             Layer::Curve(curves(&one.control())),
-            Layer::Edges(edges.edges().iter().map(|edge| segment(edge.ends())).collect()),
+            Layer::Edges(
+                edges
+                    .edges()
+                    .iter()
+                    .map(|edge| segment(edge.ends()))
+                    .collect(),
+            ),
             Layer::Points(points.points().to_vec()),
         ],
     })
@@ -54,8 +68,7 @@ fn curves(control: &[Vec<DVec2>]) -> Vec<Polyline> {
     let Some(dense) = Dense::new(control, PER_SEGMENT) else {
         return Vec::new();
     };
-    let polygon = |component: &std::ops::Range<usize>| {
-        (dense.points()[component.clone()].to_vec(), true)
-    };
+    let polygon =
+        |component: &std::ops::Range<usize>| (dense.points()[component.clone()].to_vec(), true);
     dense.components().iter().map(polygon).collect()
 }

@@ -2,18 +2,19 @@
 
 use crate::counterexamples::dense::Dense;
 use crate::counterexamples::shape::Shape;
-use crate::counterexamples::{polygons, sampled};
+use crate::counterexamples::{Counterexample, algorithm, polygons, prove, sampled};
+use anyhow::Context;
 use curvecrust::geometry::{PointSet, Random};
 use curvecrust::reconstruct::Reconstructor;
 use curvecrust::sampling::Bound;
-use curvecrust_proof::SampledSplines;
 
 /// What is searched for, and for how long.
+#[derive(Clone, Copy, Debug)]
 pub struct Search<'a> {
-    /// The algorithm that has to fail.
-    pub algorithm: &'a dyn Reconstructor,
-    /// The condition; its value does not matter.
-    pub kind: Bound,
+    /// The name of the algorithm that has to fail.
+    pub algorithm: &'a str,
+    /// Whether samples are placed by the rho condition instead of epsilon.
+    pub rho: bool,
     /// How many control points the first spline has.
     pub control: usize,
     /// How many small rings there are beside it.
@@ -31,6 +32,9 @@ const FINE: usize = 120;
 /// Bounds that are tried for a random shape.
 const BOUNDS: std::ops::Range<u32> = 20..160;
 
+/// How many bounds above the one at dense points are tried to be proven, in steps of 0.0001.
+const MORE: u32 = 500;
+
 /// Factors of the least bound so far that are tried for a changed shape.
 const LOWER: [f64; 6] = [0.9999, 0.9985, 0.995, 0.98, 0.95, 0.9];
 
@@ -42,42 +46,76 @@ struct Found {
 }
 
 impl Search<'_> {
-    /// The bound of the least counterexample that was found, at dense points, and itself.
+    /// The best counterexample that was found: its bound is the least one with four decimals that
+    /// is proven, not much above the one at dense points.
+    ///
+    /// # Errors
+    /// If there is no such algorithm, or no bound near the one at dense points is proven.
+    pub fn run(&self) -> anyhow::Result<Option<Counterexample>> {
+        let run = Run {
+            search: *self,
+            algorithm: algorithm(self.algorithm)?,
+        };
+        let Some(Found { bound, shape }) = run.best() else {
+            return Ok(None);
+        };
+        let dense = Dense::new(&shape.splines, FINE).context("a curve with a cusp")?;
+        let samples = shape
+            .samples(&dense, run.bound(bound))
+            .context("no samples")?;
+        let sampled = sampled(&shape.splines, &dense, &samples);
+        let first = (bound * 1e4).ceil();
+        let values = (0..MORE).map(|i| (first + f64::from(i)) / 1e4);
+        let mut bounds = values.map(|value| run.bound(value));
+        let bound = bounds.find(|bound| prove(&sampled, *bound).is_ok());
+        Ok(Some(Counterexample {
+            algorithm: self.algorithm.to_owned(),
+            bound: bound.context("no bound near the one at dense points is proven")?,
+            sampled,
+        }))
+    }
+}
+
+/// A search and its algorithm.
+struct Run<'a> {
+    search: Search<'a>,
+    algorithm: &'static dyn Reconstructor,
+}
+
+impl Run<'_> {
+    /// The shape of the least bound, at dense points.
     ///
     /// A part of the trials are random shapes. The best of them are changed at random as long as
     /// the algorithm fails at a smaller bound; then the best of these, and the best of those alone,
     /// with finer dense points.
-    #[must_use]
-    pub fn run(&self) -> Option<(f64, SampledSplines)> {
-        let mut random = Random::new(self.seed);
-        let mut found: Vec<Found> = (0..self.trials / 10)
-            .filter_map(|_| self.start(&mut random))
-            .collect();
-        for (keep, share, dense) in [(12, 0.2, COARSE), (4, 0.3, COARSE), (1, 0.4, FINE)] {
+    fn best(&self) -> Option<Found> {
+        let trials = self.search.trials;
+        let mut random = Random::new(self.search.seed);
+        let starts = (0..trials / 10).filter_map(|_| self.start(&mut random));
+        let mut found: Vec<Found> = starts.collect();
+        for (keep, percent, dense) in [(12, 20, COARSE), (4, 30, COARSE), (1, 40, FINE)] {
             found.sort_by(|a, b| a.bound.total_cmp(&b.bound));
             found.truncate(keep);
-            let trials = (self.trials as f64 * share) as usize / found.len().max(1);
+            let each = trials * percent / 100 / found.len().max(1);
             for one in &mut found {
                 self.settle(one, dense);
-                self.improve(one, dense, trials, &mut random);
+                self.improve(one, dense, each, &mut random);
             }
         }
-        let Found { bound, shape } = found.into_iter().next()?;
-        let dense = Dense::new(&shape.splines, FINE)?;
-        let samples = shape.samples(&dense, self.bound(bound))?;
-        Some((bound, sampled(&shape.splines, &dense, &samples)))
+        found.into_iter().next().filter(|one| one.bound.is_finite())
     }
 
     fn bound(&self, value: f64) -> Bound {
-        match self.kind {
-            Bound::Epsilon(_) => Bound::Epsilon(value),
-            Bound::Rho(_) => Bound::Rho(value),
+        if self.search.rho {
+            Bound::Rho(value)
+        } else {
+            Bound::Epsilon(value)
         }
     }
 
     /// A random shape, if the algorithm fails on it.
     fn start(&self, random: &mut Random) -> Option<Found> {
-        let shape = Shape::random(random, self.control, self.rings);
+        let shape = Shape::random(random, self.search.control, self.search.rings);
         let dense = Dense::new(&shape.splines, COARSE).filter(Dense::is_fine)?;
         let mut bounds = BOUNDS.map(|percent| f64::from(percent) / 100.0);
         let bound = bounds.find(|bound| self.fails(&shape, &dense, *bound))?;

@@ -17,7 +17,7 @@ pub(super) struct Shape {
     steps: Vec<f64>,
 }
 
-/// The parameters of a change, which the search adapts.
+/// How many steps have shares of their own.
 const STEPS: usize = 10;
 
 /// The share of the longest step that others take, and those of rings.
@@ -92,7 +92,7 @@ impl Shape {
             } else {
                 0.0
             };
-            let first = (start * count as f64) as usize % count;
+            let first = part(start, count) % count;
             let share = |step: usize| match index {
                 0 => self.steps.get(step).copied().unwrap_or(OTHER_STEPS),
                 _ => STEPS_OF_RINGS,
@@ -110,7 +110,7 @@ impl Shape {
                 if at + longest == count {
                     break;
                 }
-                at += ((longest as f64 * share(placed.len() - 1)) as usize).max(1);
+                at += part(share(placed.len() - 1), longest).max(1);
             }
             if placed.len() < 3 {
                 return None;
@@ -120,6 +120,16 @@ impl Shape {
         }
         Some(samples)
     }
+}
+
+/// A share of a number, rounded down.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a share is from 0 to 1"
+)]
+fn part(share: f64, of: usize) -> usize {
+    (share * of as f64) as usize
 }
 
 /// The largest length up to `most` that holds, as if shorter ones held too; none if 1 does not.

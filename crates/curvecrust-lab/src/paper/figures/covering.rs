@@ -1,6 +1,6 @@
 //! Draws Figure 8; its geometry is in [`rolling`](super::rolling).
 
-use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface};
+use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface, UNCOVERED};
 use crate::figure::{Ball, Figure, Label, Layer, Panel, Polyline};
 use crate::paper::page::Exhibit;
 use curvecrust::DVec2;
@@ -11,25 +11,30 @@ pub(super) const BALLS: u32 = 72;
 /// Points of a drawn turn.
 const FINE: u32 = 180;
 
-/// The eight configurations.
+/// The eight configurations, and a ninth that is not covered.
 pub(super) fn figure_8() -> Exhibit {
     let text = "Why s2 is the half neighbour of s1 for ρ = 0.9. Balls that touch the curve, or \
         the x axis as a bound of it, hold no sample; they cover what O(s1, |s1 s2|) and the \
         half-plane H beyond the bisector of s0 and s1 have in common on the side of s0. So no \
         sample there can be nearer than s2. The ratio is that of |x s1| to |s1 y|, α and β are \
         the angles of x and y below the tangent at s1: at most 26.7° for y, and less for an x \
-        nearer than y. In the fourth case the balls reach the corner barely: 0.9 is close to \
-        tight.";
+        nearer than y. In the fourth case the balls reach the corner barely. The ninth is not in \
+        the paper: at this ratio they do not reach it, and a sample z there makes Theorem 2 \
+        false for ρ > 0.8950; see docs/theorem-2.md.";
     Exhibit {
         number: 8,
         heading: "rolling balls around s1".to_owned(),
         text: text.to_owned(),
         figure: Figure {
             title: "Tangent balls that cover the disk around s1 in the half-plane H, in eight \
-                   configurations"
+                   configurations, and fail to in a ninth"
                 .to_owned(),
-            columns: 4,
-            panels: CONFIGURATIONS.iter().map(panel).collect(),
+            columns: 3,
+            panels: CONFIGURATIONS
+                .iter()
+                .map(panel)
+                .chain([uncovered()])
+                .collect(),
         },
     }
 }
@@ -69,6 +74,23 @@ fn panel(configuration: &Configuration) -> Panel {
         frame: Some([DVec2::new(-2.65, -2.05), DVec2::new(2.2, 2.0)]),
         layers,
     }
+}
+
+/// The ninth, with a point that the balls do not reach.
+fn uncovered() -> Panel {
+    let mut panel = panel(&UNCOVERED);
+    let corner = page(UNCOVERED.scene().corner());
+    let label = Label {
+        at: corner,
+        towards: DVec2::new(-1.0, -1.0),
+        name: "z".to_owned(),
+    };
+    panel.layers.push(Layer::Points(vec![corner]));
+    panel.layers.push(Layer::Labels(vec![label]));
+    panel.caption = panel
+        .caption
+        .replace("rolling on the disk of lfs(y)", "z is not covered");
+    panel
 }
 
 /// A ratio as the paper has it.
