@@ -24,21 +24,13 @@ fn scan(count: u32) -> Vec<u8> {
     writer.into_inner().unwrap().into_inner()
 }
 
-/// A small one with a run of ones in the packed points: the decoder reads there, again and again,
-/// that the time belongs to another sequence.
-fn damaged() -> Vec<u8> {
-    let mut bytes = scan(20);
-    let start: [u8; 4] = bytes[96..100].try_into().unwrap();
-    let start = u32::from_le_bytes(start) as usize;
-    bytes[start + 60..start + 200].fill(0xff);
-    bytes
-}
+/// A scan of 20 points that laspy wrote, with a run of ones in the packed points: the decoder reads
+/// there, again and again, that a time belongs to another sequence.
+const DAMAGED: &[u8] = include_bytes!("../data/full-stack.laz");
 
 #[test]
 fn a_full_stack_is_an_error() {
-    let bytes = damaged();
-    assert!(bytes.len() < 2048);
-    let folder = Folder::with("p.laz", &bytes);
+    let folder = Folder::with("p.laz", DAMAGED);
     let says = |name: &str| format!("error: {name}: the LAZ data cannot be decompressed: ");
     for line in [
         "reconstruct p.laz -o out.csv",
@@ -48,7 +40,7 @@ fn a_full_stack_is_an_error() {
         let said = folder.run(line).error();
         assert!(said.starts_with(&says("p.laz")), "{said}");
     }
-    let said = folder.pipe("reconstruct - -o out.csv", &bytes).error();
+    let said = folder.pipe("reconstruct - -o out.csv", DAMAGED).error();
     assert!(said.starts_with(&says("stdin")), "{said}");
     assert_eq!(folder.names(), ["p.laz"]);
 }
