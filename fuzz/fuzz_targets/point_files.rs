@@ -15,7 +15,8 @@ const RATIO: usize = 64;
 const LEAST: usize = 4 << 20;
 
 /// Whether this is LAZ: `laz` 0.13 calls itself once for each sequence of GPS times that a point
-/// switches to, and damaged data switch without end, until the stack is full.
+/// switches to, and damaged data switch without end, until the stack is full. The program has a
+/// process of its own for that, and a fuzz target has none.
 fn is_compressed_scan(bytes: &[u8]) -> bool {
     bytes.starts_with(b"LASF") && bytes.get(104).is_some_and(|format| format & 0x80 != 0)
 }

@@ -1,7 +1,7 @@
 //! Where data come from: a file, or stdin by the name `-`.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Cursor, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// Bytes that are looked at in one go before a source is read.
@@ -82,6 +82,22 @@ impl Source {
         Cursor::new(self.head).chain(self.rest)
     }
 
+    /// Hands everything on, until nobody takes it.
+    pub(crate) fn hand_on(self, mut to: impl Write) -> io::Result<()> {
+        let mut all = self.into_reader();
+        loop {
+            let bytes = match all.fill_buf() {
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                bytes => bytes?,
+            };
+            if bytes.is_empty() || to.write_all(bytes).is_err() {
+                return Ok(());
+            }
+            let length = bytes.len();
+            all.consume(length);
+        }
+    }
+
     /// Everything at once.
     pub(crate) fn into_bytes(mut self) -> io::Result<Vec<u8>> {
         self.rest.read_to_end(&mut self.head)?;
@@ -90,6 +106,16 @@ impl Source {
 }
 
 impl Source {
+    /// The file, at its start; `None` if it cannot be read from any place.
+    pub(crate) fn file(&self) -> io::Result<Option<File>> {
+        let Some((file, _)) = &self.file else {
+            return Ok(None);
+        };
+        let mut file = file.try_clone()?;
+        file.rewind()?;
+        Ok(Some(file))
+    }
+
     /// Everything, from any place; only what is no file is held in memory.
     pub(crate) fn into_seekable(self) -> io::Result<Seekable> {
         match self.file {
@@ -113,6 +139,26 @@ impl Source {
 }
 
 impl Seekable {
+    /// Stdin, which has to be a file.
+    pub(crate) fn standard_file() -> io::Result<Self> {
+        #[cfg(unix)]
+        let file = std::os::fd::AsFd::as_fd(&io::stdin()).try_clone_to_owned();
+        #[cfg(windows)]
+        let file = std::os::windows::io::AsHandle::as_handle(&io::stdin()).try_clone_to_owned();
+        #[cfg(not(any(unix, windows)))]
+        let file: io::Result<File> = Err(ErrorKind::Unsupported.into());
+        let mut file = File::from(file?);
+        file.rewind()?;
+        Ok(Self::File(file))
+    }
+
+    /// Stdin, held in memory.
+    pub(crate) fn standard_pipe() -> io::Result<Self> {
+        let mut bytes = Vec::new();
+        io::stdin().lock().read_to_end(&mut bytes)?;
+        Ok(Self::Memory(Cursor::new(bytes)))
+    }
+
     /// The number of its bytes.
     pub(crate) fn size(&self) -> io::Result<u64> {
         match self {

@@ -20,6 +20,7 @@
     allow(dead_code, reason = "what the readers of other features use")
 )]
 
+mod again;
 mod args;
 mod commands;
 mod console;
@@ -46,13 +47,23 @@ use std::process::ExitCode;
 /// Runs the program on the arguments of this process.
 #[must_use]
 pub fn main() -> ExitCode {
-    ExitCode::from(run_on(std::env::args_os()))
+    let this = std::env::current_exe().map(|path| vec![path.into_os_string()]);
+    ExitCode::from(run_on(std::env::args_os(), this.unwrap_or_default()))
 }
 
 /// Runs the program on arguments, the first of which is its name, and returns its exit code. It
 /// does as a process does: it starts the threads of the process and ends at Ctrl-C.
+///
+/// It starts itself again for what may end a process, by the words of a command and arguments
+/// behind them. Without words this process does all the work.
 #[must_use]
-pub fn run_on(args: impl IntoIterator<Item = OsString>) -> u8 {
+pub fn run_on(args: impl IntoIterator<Item = OsString>, again: Vec<OsString>) -> u8 {
+    let args: Vec<_> = args.into_iter().collect();
+    #[cfg(feature = "las")]
+    if let Some(code) = points::serve_decoder(&args) {
+        return code;
+    }
+    again::set(again);
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(usage) => {

@@ -43,6 +43,8 @@ mod xml;
 pub(crate) use columns::ColumnNames;
 pub(crate) use flaw::{Flaw, Place, PointsError, Problem};
 pub(crate) use heights::LEFT_OUT as HEIGHTS;
+#[cfg(feature = "las")]
+pub(crate) use las::serve as serve_decoder;
 pub(crate) use system::System;
 
 use crate::format::Format;
@@ -165,7 +167,7 @@ pub(crate) fn read_source(
         #[cfg(feature = "shapefile")]
         Format::Shapefile => shapefile::read(source, wanted),
         #[cfg(feature = "las")]
-        Format::Las => las::read(source.into_seekable()?, wanted),
+        Format::Las => las::read(source, wanted),
         #[cfg(feature = "flatgeobuf")]
         Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), wanted),
         #[cfg(feature = "parquet")]

@@ -47,6 +47,16 @@ fn entities_of_entities_are_refused() {
     ));
 }
 
+/// Each refers to the next: no function calls itself for each.
+#[test]
+fn a_long_chain_of_entities_is_refused() {
+    let link = |i| format!("<!ENTITY e{i} '&e{};'>", i + 1);
+    let entities: String = (0..100_000).map(link).collect();
+    let svg = document(&entities, "<title>&e0;</title>");
+    assert_eq!(expansion(&svg), usize::MAX);
+    assert!(Curve::from_svg(&svg).is_err());
+}
+
 /// Each is some 400 KB that the readers of XML and of style would take seconds for, or minutes.
 #[test]
 fn crowded_documents_are_refused() {

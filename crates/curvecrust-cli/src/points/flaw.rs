@@ -163,6 +163,11 @@ pub(crate) enum Problem {
     Wkb(String),
     #[error("this is no LAS file: {0}")]
     Las(String),
+    #[error("the LAZ data cannot be decompressed: {0}")]
+    Laz(String),
+    /// What another process of the program says of it.
+    #[error("{0}")]
+    Said(String),
     #[error("it promises {points} points, more than 64 times its size and 64 MiB can unpack to")]
     Promise { points: u64 },
     #[error("the table cannot be read: {0}")]

@@ -3,7 +3,7 @@
 
 use super::gathered::Gathered;
 use super::system::System;
-use super::xml::{line_of, with_root};
+use super::xml::{Lines, with_root};
 use super::{Flaw, PointList, Problem, Wanted, coordinate};
 
 pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
@@ -11,11 +11,12 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let mut found = Gathered::new(wanted);
     found.note("x is the longitude, y the latitude");
     found.system(System::of_longitudes("WGS 84"));
+    let lines = Lines::new(&document);
     for node in document.root_element().descendants() {
         if !matches!(node.tag_name().name(), "wpt" | "rtept" | "trkpt") {
             continue;
         }
-        found.go_to(line_of(node));
+        found.go_to(lines.of(node));
         let value = |name: &str| {
             let word = node.attribute(name).unwrap_or_default();
             coordinate(word.trim().as_bytes(), false).map_err(|problem| found.flaw(problem))

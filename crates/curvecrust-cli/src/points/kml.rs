@@ -4,7 +4,7 @@
 use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::value::coordinate;
-use super::xml::{line_of, with_root};
+use super::xml::{Lines, with_root};
 use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
 use roxmltree::Node;
 
@@ -13,23 +13,24 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
     let mut found = Gathered::new(wanted);
     found.note("x is the longitude, y the latitude");
     found.system(System::of_longitudes("WGS 84"));
+    let lines = Lines::new(&document);
     for node in document.root_element().descendants() {
-        found.go_to(line_of(node));
+        found.go_to(lines.of(node));
         match node.tag_name().name() {
             "Point" => {
-                for position in positions(node) {
+                for position in positions(node, &lines) {
                     let vertex = take(&found, &position)?;
                     found.point(vertex)?;
                 }
             }
             // A track has an element for each of its points.
             "coord" => {
-                let vertex = take(&found, &Position::of_track(node))?;
+                let vertex = take(&found, &Position::of_track(node, &lines))?;
                 found.point(vertex)?;
             }
             name @ ("LineString" | "LinearRing") => {
                 found.wants_vertices(name)?;
-                let vertices = positions(node).map(|position| take(&found, &position));
+                let vertices = positions(node, &lines).map(|position| take(&found, &position));
                 let vertices = vertices.collect::<Result<Vec<_>, _>>()?;
                 found.line(vertices.into_iter().map(Ok))?;
             }
@@ -47,22 +48,22 @@ struct Position<'a> {
 }
 
 impl<'a> Position<'a> {
-    fn of_track(node: Node<'a, '_>) -> Self {
+    fn of_track(node: Node<'a, '_>, lines: &Lines) -> Self {
         let whole = node.text().unwrap_or_default().trim();
         Self {
             words: whole.split_ascii_whitespace().collect(),
             whole,
-            place: line_of(node),
+            place: lines.of(node),
         }
     }
 }
 
 /// The positions of a geometry: numbers with commas between, and white space between positions.
-fn positions<'a>(geometry: Node<'a, 'a>) -> impl Iterator<Item = Position<'a>> {
+fn positions<'a>(geometry: Node<'a, 'a>, lines: &Lines) -> impl Iterator<Item = Position<'a>> {
     let lists = geometry.children();
     let lists = lists.filter(|child| child.tag_name().name() == "coordinates");
     lists.flat_map(|list| {
-        let place = line_of(list);
+        let place = lines.of(list);
         let text = list.text().unwrap_or_default();
         text.split_ascii_whitespace().map(move |whole| Position {
             words: whole.split(',').collect(),

@@ -1,14 +1,20 @@
 //! Scans in LAS and LAZ, by the crate `las`: the x and y of all points, read in pieces.
 //!
-//! What a header promises is settled by [`bounds`] and [`packed`] before the crate sees it.
+//! What a header promises is settled by [`bounds`] and [`packed`] before the crate sees it. LAZ is
+//! unpacked by a process of its own, in [`apart`].
 
+mod apart;
 mod bounds;
+mod frames;
 mod packed;
+
+pub(crate) use apart::serve;
 
 use super::gathered::Gathered;
 use super::system::System;
 use super::{Flaw, Place, PointList, Problem, Wanted};
-use crate::input::Seekable;
+use crate::input::{Seekable, Source};
+use apart::Decoder;
 use las::crs::GeoTiffData;
 use las::{Header, PointDataBuilder, Reader};
 use std::io::{BufReader, Seek};
@@ -20,24 +26,66 @@ const PIECE: u64 = 1 << 20;
 const PROJECTED: u16 = 3072;
 const GEODETIC: u16 = 2048;
 
-pub(super) fn read(mut source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
+/// A part of what is in a file, in the order of the file.
+enum Part<'a> {
+    System(System),
+    /// The x, y and z of the next points.
+    Points(&'a [[f64; 3]]),
+}
+
+pub(super) fn read(source: Source, wanted: &Wanted) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(wanted);
+    let mut done = 0;
+    let mut take = |part: Part<'_>| {
+        match part {
+            Part::System(system) => found.system(system),
+            Part::Points(points) => {
+                for &[x, y, z] in points {
+                    done += 1;
+                    found.go_to(place(done));
+                    found.point(([x, y], Some(z)))?;
+                }
+            }
+        }
+        Ok(())
+    };
+    let decoder = match is_packed(source.head()) {
+        true => Decoder::start(&source),
+        false => None,
+    };
+    match decoder {
+        Some(decoder) => decoder.read(source, &mut take)?,
+        None => decode(source.into_seekable()?, &mut take)?,
+    }
+    Ok(found.finish())
+}
+
+/// Whether this is the head of a LAZ file: the format of its points says so.
+fn is_packed(head: &[u8]) -> bool {
+    head.starts_with(b"LASF") && head.get(104).is_some_and(|format| format & 0xc0 != 0)
+}
+
+/// Takes what is in the file, part by part.
+fn decode(
+    mut source: Seekable,
+    take: &mut dyn FnMut(Part<'_>) -> Result<(), Flaw>,
+) -> Result<(), Flaw> {
     let bounds::Promise { points, record } = bounds::check(&mut source)?;
     if points == 0 {
-        return Ok(PointList::default());
+        return Ok(());
     }
     source.rewind()?;
     let mut reader = Reader::new(BufReader::new(source)).map_err(flaw)?;
-    let mut found = Gathered::new(wanted);
     if let Some(system) = system(reader.header()) {
-        found.system(system);
+        take(Part::System(system))?;
     }
     let piece = (PIECE / record.max(1)).max(1);
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
+    let mut coordinates = Vec::new();
     let mut done = 0;
     while done < points {
-        found.go_to(Place::Item("point", done + 1));
         let count = reader.fill_points(piece, &mut data);
-        let count = count.map_err(|error| Problem::Las(error.to_string()).at(place(done)))?;
+        let count = count.map_err(|error| Problem::Las(error.to_string()).at(place(done + 1)))?;
         if count == 0 {
             let what = "points";
             let promised = points;
@@ -48,18 +96,18 @@ pub(super) fn read(mut source: Seekable, wanted: &Wanted) -> Result<PointList, F
             }
             .into());
         }
+        coordinates.clear();
         let axes = data.x().zip(data.y()).zip(data.z());
-        for (number, ((x, y), z)) in (done..).zip(axes) {
-            found.go_to(place(number));
-            found.point(([x, y], Some(z)))?;
-        }
+        coordinates.extend(axes.map(|((x, y), z)| [x, y, z]));
+        take(Part::Points(&coordinates))?;
         done += count;
     }
-    Ok(found.finish())
+    Ok(())
 }
 
+/// That of a point, counted from 1.
 fn place(number: u64) -> Place {
-    Place::Item("point", number + 1)
+    Place::Item("point", number)
 }
 
 fn flaw(error: las::Error) -> Flaw {

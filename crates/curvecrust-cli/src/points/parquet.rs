@@ -5,6 +5,7 @@ mod chunks;
 mod geo;
 mod numbers;
 mod pages;
+mod schema;
 
 use super::columns::Columns;
 use super::gathered::Gathered;
@@ -21,7 +22,7 @@ use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::ParquetMetaData;
 use parquet::file::reader::{FileReader, Length, RowGroupReader};
-use parquet::file::serialized_reader::SerializedFileReader;
+use parquet::file::serialized_reader::{ReadOptionsBuilder, SerializedFileReader};
 use parquet::schema::types::SchemaDescriptor;
 use std::io;
 
@@ -37,7 +38,11 @@ struct Reader {
 pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
     let chunks = Chunks::new(source)?;
     let (most, size) = (chunks.most(), chunks.len());
-    let file = SerializedFileReader::new(chunks).map_err(flaw)?;
+    let mut options = ReadOptionsBuilder::new();
+    if let Some(schema) = schema::of(&chunks)? {
+        options = options.with_parquet_schema(schema);
+    }
+    let file = SerializedFileReader::new_with_options(chunks, options.build()).map_err(flaw)?;
     let reader = Reader { file, size };
     let metadata = reader.file.metadata();
     let rows = metadata.row_groups().iter().map(|group| group.num_rows());

@@ -128,7 +128,7 @@ impl System {
     }
 
     /// Its well-known text, if that is what the file has.
-    #[cfg(feature = "flatgeobuf")]
+    #[cfg(any(feature = "flatgeobuf", feature = "las"))]
     pub(crate) fn text(&self) -> Option<&str> {
         match &self.definition {
             Definition::Text(text) => Some(text),

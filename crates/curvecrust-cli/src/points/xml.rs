@@ -19,8 +19,18 @@ pub(super) fn with_root<'a>(
     }
 }
 
-/// The line that an element starts in.
-pub(super) fn line_of(node: Node<'_, '_>) -> Place {
-    let at = node.document().text_pos_at(node.range().start);
-    Place::Line(at.row.into())
+/// The lines of a document: the reader of XML would count them from its start for each element.
+pub(super) struct Lines(Vec<usize>);
+
+impl Lines {
+    pub(super) fn new(document: &Document<'_>) -> Self {
+        let ends = document.input_text().match_indices('\n');
+        Self(ends.map(|(at, _)| at).collect())
+    }
+
+    /// The line that an element starts in.
+    pub(super) fn of(&self, node: Node<'_, '_>) -> Place {
+        let start = node.range().start;
+        Place::Line(self.0.partition_point(|&end| end < start) as u64 + 1)
+    }
 }

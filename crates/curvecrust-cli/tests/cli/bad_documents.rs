@@ -112,6 +112,44 @@ fn crowded_documents_are_refused() {
     );
 }
 
+/// Also in any number: the line of each is found without counting from the start.
+#[test]
+fn elements_far_down_have_lines() {
+    let count = 50_000;
+    let point = |i| format!("<wpt lon='{i}' lat='1'/>\n");
+    let many: String = (0..count).map(point).collect();
+    let bad = format!("<gpx>\n{many}<wpt lon='x' lat='1'/></gpx>");
+    let line = count + 2;
+    assert_eq!(
+        error("p.gpx", bad),
+        format!("p.gpx, line {line}: `x` is not a number")
+    );
+    let point = |i| format!("<Point><coordinates>{i},1</coordinates></Point>\n");
+    let many: String = (0..count).map(point).collect();
+    let bad = format!("<kml>\n{many}<Point><coordinates>1</coordinates></Point></kml>");
+    assert_eq!(
+        error("p.kml", bad),
+        format!("p.kml, line {line}: a point is x and y, but here is only `1`")
+    );
+}
+
+/// Each refers to the next: no function calls itself for each.
+#[test]
+fn entities_in_entities_do_not_fill_the_stack() {
+    let link = |i| format!("<!ENTITY e{i} '&e{};'>", i + 1);
+    let entities: String = (0..100_000).map(link).collect();
+    for name in ["svg", "gpx", "kml"] {
+        let document = format!("<!DOCTYPE {name} [{entities}]><{name}>&e0;</{name}>");
+        assert_eq!(
+            error(&format!("p.{name}"), document),
+            format!(
+                "p.{name}: its entities stand for more than 16777216 bytes: write out what they \
+                 stand for"
+            )
+        );
+    }
+}
+
 #[test]
 fn entities_do_not_fill_the_memory() {
     let long = "0 ".repeat(500_000);

@@ -80,6 +80,39 @@ fn geometries(crs: &str, values: &[ByteArray]) -> Vec<u8> {
     file(schema, Some(&geo), Compression::SNAPPY, &[&write])
 }
 
+/// Metadata of nothing but columns in each other.
+fn nested(levels: u32) -> Vec<u8> {
+    let mut metadata = b"\x15\x02\x19\xfc".to_vec();
+    let mut count = levels + 1;
+    while count > 127 {
+        metadata.push(u8::try_from(count % 128).unwrap() | 128);
+        count /= 128;
+    }
+    metadata.push(u8::try_from(count).unwrap());
+    for _ in 0..levels {
+        metadata.extend(b"\x35\x00\x18\x01a\x15\x02\x00");
+    }
+    metadata.extend(b"\x15\x0a\x25\x00\x18\x01x\x00\x16\x00\x19\x0c\x00");
+    let length = u32::try_from(metadata.len()).unwrap().to_le_bytes();
+    [b"PAR1", &metadata[..], &length, b"PAR1"].concat()
+}
+
+/// The crate calls itself for each.
+#[test]
+fn columns_in_columns_do_not_fill_the_stack() {
+    for levels in [65, 1000, 1_000_000] {
+        assert_eq!(
+            error("p.parquet", nested(levels), ""),
+            "error: p.parquet: the table cannot be read: its columns are more than 64 levels deep"
+        );
+    }
+    let shallow = error("p.parquet", nested(60), "");
+    assert!(
+        shallow.contains("no columns are named x and y"),
+        "{shallow}"
+    );
+}
+
 #[test]
 fn columns_of_numbers() {
     let zstd = Compression::ZSTD(Default::default());

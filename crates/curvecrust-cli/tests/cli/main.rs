@@ -14,6 +14,8 @@ mod bad_input;
 mod columns;
 mod content;
 mod curves;
+#[cfg(feature = "las")]
+mod decoder;
 mod docs;
 mod drawings;
 mod files;

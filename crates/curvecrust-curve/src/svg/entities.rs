@@ -5,9 +5,12 @@
 
 use std::collections::HashMap;
 
+/// Entities in each other that are followed: the reader refuses more than 10.
+const DEEPEST: usize = 64;
+
 /// The bytes that the general entities of an XML document stand for, each as often as it is
 /// referred to: at least as many as a reader would put into their places. Text that is no XML has
-/// none.
+/// none. Entities that refer to each other more than 64 times in a row stand for [`usize::MAX`].
 ///
 /// ```
 /// use curvecrust_curve::svg::expansion;
@@ -31,7 +34,7 @@ pub fn expansion(document: &str) -> usize {
     if entities.values.is_empty() {
         return 0;
     }
-    entities.all_in(document)
+    entities.all_in(document, DEEPEST)
 }
 
 /// The name and the value of a declaration, from behind its keyword.
@@ -53,26 +56,29 @@ struct Entities<'a> {
 }
 
 impl<'a> Entities<'a> {
-    /// The bytes that all references in a text stand for.
-    fn all_in(&mut self, text: &'a str) -> usize {
+    /// The bytes that all references in a text stand for, which may be so deep.
+    fn all_in(&mut self, text: &'a str, depth: usize) -> usize {
         let mut bytes = 0usize;
         for reference in text.split('&').skip(1) {
             if let Some((name, _)) = reference.split_once(';') {
-                bytes = bytes.saturating_add(self.size(name));
+                bytes = bytes.saturating_add(self.size(name, depth));
             }
         }
         bytes
     }
 
-    fn size(&mut self, name: &'a str) -> usize {
+    fn size(&mut self, name: &'a str, depth: usize) -> usize {
         if let Some(&size) = self.sizes.get(name) {
             return size;
         }
         let Some(&value) = self.values.get(name) else {
             return 0;
         };
+        let Some(depth) = depth.checked_sub(1) else {
+            return usize::MAX;
+        };
         self.sizes.insert(name, 0);
-        let size = value.len().saturating_add(self.all_in(value));
+        let size = value.len().saturating_add(self.all_in(value, depth));
         self.sizes.insert(name, size);
         size
     }

@@ -5,4 +5,5 @@ import sys
 from ._curvecrust import run
 
 if __name__ == "__main__":
-    sys.exit(run(["curvecrust", *sys.argv[1:]]))
+    again = [sys.executable, "-m", "curvecrust"] if sys.executable else []
+    sys.exit(run(["curvecrust", *sys.argv[1:]], again))
