@@ -3,8 +3,9 @@
 //! Samples are an epsilon-sample if for each point p of the curve the disc about p whose radius is
 //! the distance from the nearest sample, divided by epsilon, is free of the medial axis. A box of
 //! the plane is free of it if each of its points has one nearest point: if only one stretch of the
-//! curve can be nearest, and along it the squared distance from each point of the box is strictly
-//! convex. So boxes are halved until each is free of the axis or apart from all discs.
+//! curve can be nearest, and along it the squared distance from each point of the box falls, is
+//! strictly convex, and rises. So boxes are halved until each is free of the axis or apart from all
+//! discs.
 
 use crate::interval::Interval;
 use crate::spline::{ClosedSpline, Piece};
@@ -204,7 +205,7 @@ impl Proof<'_> {
             return Ok(None);
         };
         near.retain(|piece| !within.is_below(distance(piece)));
-        if self.is_one_stretch(&near) && near.iter().all(|piece| is_convex(piece, region)) {
+        if self.has_one_nearest(&mut near, region) {
             return Ok(None);
         }
         let width = region.width();
@@ -233,14 +234,21 @@ impl Proof<'_> {
         finer
     }
 
-    /// Whether pieces in order are one stretch of a curve.
-    fn is_one_stretch(&self, pieces: &[Piece]) -> bool {
-        let following = pieces.iter().skip(1).chain(pieces.first());
-        let breaks = pieces
-            .iter()
-            .zip(following)
-            .filter(|(a, b)| !self.joins(a, b));
-        breaks.count() <= 1
+    /// Whether pieces in order are one stretch of a curve, and along it the squared distance from
+    /// each point of a box falls, is strictly convex, and rises: then it is least at one point.
+    fn has_one_nearest(&self, pieces: &mut [Piece], region: Vector) -> bool {
+        let count = pieces.len();
+        let follows = |i: &usize| self.joins(&pieces[(i + count - 1) % count], &pieces[*i]);
+        let mut starts = (0..count).filter(|i| !follows(i));
+        let (Some(start), None) = (starts.next(), starts.next()) else {
+            return false;
+        };
+        pieces.rotate_left(start);
+        let slope = |piece: &Piece| (piece.place - region).dot(piece.velocity);
+        let falling = |piece: &&Piece| slope(piece).is_negative();
+        let mut rest = pieces.iter().skip_while(falling);
+        let mut rest = rest.by_ref().skip_while(|piece| is_convex(piece, region));
+        rest.all(|piece| slope(piece).is_positive())
     }
 
     /// Whether a piece ends where another one starts.
