@@ -60,8 +60,8 @@
 //!
 //! Each algorithm is also a function of its own, such as [`hnn_crust()`] or [`one_step_crust()`],
 //! which returns a [`Skeleton`] with an estimate of the local feature size. Dots in colours, as of
-//! puzzles, are joined by [`closest_dot()`]. A [`Reconstruction`] orders edges into curves and rings
-//! inside rings; a [`ViolationReport`] shows where the sampling was too sparse.
+//! puzzles, are joined by [`closest_dot()`]. A [`Reconstruction`] orders edges into curves and
+//! rings inside rings; a [`ViolationReport`] shows where the sampling was too sparse.
 //!
 //! ```
 //! use curvecrust_geometry::{DVec2, PointSet};

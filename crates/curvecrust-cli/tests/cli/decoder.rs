@@ -98,7 +98,7 @@ mod ends {
         panic!("nothing came");
     }
 
-    /// The program with a part of a file on stdin, the process that waits for the rest, and the rest.
+    /// The program with a part of a file on stdin, the process that waits for the rest, and that.
     fn half_way(folder: &Folder) -> (Child, String, Vec<u8>) {
         let mut command = folder.command("reconstruct - -o out.csv");
         let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped());

@@ -1,5 +1,5 @@
-//! The columns of a Parquet file, which lie in each other. The crate calls itself for each level, so
-//! that too many would fill the stack; here they are counted first.
+//! The columns of a Parquet file, which lie in each other. The crate calls itself for each level,
+//! so that too many would fill the stack; here they are counted first.
 //!
 //! The metadata are Thrift in its compact form:
 //! <https://github.com/apache/thrift/blob/master/doc/specs/thrift-compact-protocol.md>
@@ -125,8 +125,8 @@ impl Thrift<'_> {
         None
     }
 
-    /// The kind and the number of the next field of a struct, from the number of the one before; the
-    /// kind 0 ends it.
+    /// The kind and the number of the next field of a struct, from the number of the one before;
+    /// the kind 0 ends it.
     fn field(&mut self, before: u64) -> Option<(u8, u64)> {
         let head = self.byte()?;
         let number = match (head & 15, head >> 4) {

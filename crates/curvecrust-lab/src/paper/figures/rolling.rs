@@ -77,8 +77,8 @@ pub(super) const CONFIGURATIONS: [Configuration; 8] = [
     configuration(1.0, [0.0, 1.0], Surface::Axis),
 ];
 
-/// A ninth, between the fourth and the second, which is not covered: the counterexample to Theorem 2
-/// of `docs/theorem-2.md` at its threshold.
+/// A ninth, which is not covered: the counterexample to Theorem 2 of `docs/theorem-2.md` at its
+/// threshold.
 pub(super) const UNCOVERED: Configuration = configuration(0.732_346, [1.0, 0.0], Surface::Disk);
 
 const fn configuration(
