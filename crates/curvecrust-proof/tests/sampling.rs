@@ -82,7 +82,7 @@ fn centres(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
             let rise = normal[0] * (q[0] - p[0]) + normal[1] * (q[1] - p[1]);
             2.0 * rise / between(*p, *q).powi(2)
         };
-        let bends = points.iter().filter(|q| *q != p).map(bend);
+        let bends = points.iter().filter(|q| between(*p, **q) > 0.0).map(bend);
         let [least, most] = bends.fold([0.0_f64; 2], |[a, b], x| [a.min(x), b.max(x)]);
         let curved = [least, most].into_iter().filter(|bend| *bend != 0.0);
         centres.extend(curved.map(|bend| [p[0] + normal[0] / bend, p[1] + normal[1] / bend]));
