@@ -1,6 +1,7 @@
 //! How far points scatter about a curve, along it.
 
-use super::basis::{Spline, wrapped};
+use super::basis::Spline;
+use super::knots::wrapped;
 use crate::robust::{NORMAL, median};
 
 /// Neighbours on each side whose residuals tell the spread at a point.
@@ -29,7 +30,7 @@ impl Spread {
             common: sigma,
             local: Vec::new(),
             intervals: spline.intervals(),
-            closed: spline.closed,
+            closed: spline.closed(),
         }
     }
 
