@@ -26,6 +26,9 @@ const NEAR: f64 = 4.0;
 /// The share of the corners that is taken away at a time.
 const DROPPED: usize = 6;
 
+/// How often the best model is fitted anew from itself.
+const POLISH: usize = 4;
+
 /// Where a curve turns much, and where its sides would meet.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
@@ -66,9 +69,10 @@ fn of_arc(points: &[DVec2], model: &Model, k: usize, sigma: Option<f64>) -> Opti
     let found = found
         .into_iter()
         .filter_map(|rough| trial.best(&corners, rough));
-    let best = found.reduce(|a, b| if b.score > a.score { b } else { a })?;
+    let found = found.reduce(|a, b| if b.0.score > a.0.score { b } else { a });
+    let (best, rough) = found?;
     let has_corners = !best.arcs[k].fit.spline.creases().is_empty();
-    (has_corners && best.score > model.score).then_some(best)
+    (has_corners && best.score > model.score).then(|| trial.polished(best, rough))
 }
 
 /// An arc of a model that is fitted anew.
@@ -86,7 +90,7 @@ impl Trial<'_> {
     ///
     /// The fit without any is a rival too: else a crease would be taken for what the new fit alone
     /// gains.
-    fn best(&self, all: &[Corner], rough: Rough) -> Option<Model> {
+    fn best(&self, all: &[Corner], rough: Rough) -> Option<(Model, Rough)> {
         let mut corners = all.to_vec();
         let mut best: Option<Model> = None;
         loop {
@@ -97,9 +101,10 @@ impl Trial<'_> {
                 best = Some(found);
             }
             if corners.is_empty() {
-                return best;
+                return best.map(|best| (best, rough));
             }
-            corners = without_weakest(&corners, &jumps);
+            let count = corners.len().div_ceil(DROPPED);
+            corners = without_weakest(&corners, &jumps, count);
         }
     }
 
@@ -109,13 +114,38 @@ impl Trial<'_> {
         Interrupt::current().check();
         let arc = &self.model.arcs[self.k];
         let first = fit(&guide(arc, corners), &self.members, self.sigma, rough)?;
-        let whole = Arc {
-            from: 0.0,
-            to: first.spline.intervals() as f64,
-            fit: first,
-        };
-        let again = guide(&whole, &creases(&whole));
+        self.again(&whole(first), rough, |creases| creases)
+    }
+
+    /// The arc fitted from a fit of it, with some of its creases.
+    fn again(
+        &self,
+        whole: &Arc,
+        rough: Rough,
+        some: impl Fn(Vec<Corner>) -> Vec<Corner>,
+    ) -> Option<Fit> {
+        let again = guide(whole, &some(creases(whole)));
         fit(&again, &self.members, self.sigma, rough)
+    }
+
+    /// The model without the weakest corner, one after the other, and fitted anew from itself, as
+    /// long as that raises its score.
+    fn polished(&self, mut best: Model, rough: Rough) -> Model {
+        for is_last in [false, true] {
+            for _ in 0..POLISH {
+                let whole = whole(best.arcs[self.k].fit.clone());
+                let jumps = jumps(&whole.fit);
+                let fit = self.again(&whole, rough, |creases| match is_last || jumps.len() < 2 {
+                    true => creases,
+                    false => without_weakest(&creases, &jumps, 1),
+                });
+                match fit.and_then(|fit| self.with(fit)) {
+                    Some(found) if found.score > best.score => best = found,
+                    _ => break,
+                }
+            }
+        }
+        best
     }
 
     /// The model with another fit of the arc; `None` if that changes how many curves there are.
@@ -128,6 +158,12 @@ impl Trial<'_> {
         let found = Model::of(self.points, fits.collect())?;
         (found.arcs.len() == self.model.arcs.len()).then_some(found)
     }
+}
+
+/// All of a fitted curve as an arc.
+fn whole(fit: Fit) -> Arc {
+    let to = fit.spline.intervals() as f64;
+    Arc { fit, from: 0.0, to }
 }
 
 /// The creases of an arc, and where the tangents beside them meet.
@@ -149,10 +185,10 @@ fn jumps(fit: &Fit) -> Vec<f64> {
 }
 
 /// The corners without some that turn the least.
-fn without_weakest(corners: &[Corner], jumps: &[f64]) -> Vec<Corner> {
+fn without_weakest(corners: &[Corner], jumps: &[f64], count: usize) -> Vec<Corner> {
     let mut order: Vec<usize> = (0..corners.len()).collect();
     order.sort_by(|&i, &j| jumps[i].total_cmp(&jumps[j]).then(i.cmp(&j)));
-    let dropped = &order[..corners.len().div_ceil(DROPPED)];
+    let dropped = &order[..count.min(order.len())];
     let kept = (0..corners.len()).filter(|i| !dropped.contains(i));
     kept.map(|i| corners[i]).collect()
 }

@@ -27,7 +27,7 @@ const FEWEST: usize = 6;
 const BEYOND: f64 = 0.399;
 
 /// What a corner costs beside the freedom of its fit, in log n.
-const CORNER: f64 = 1.0;
+const CORNER: f64 = 0.5;
 
 /// A fitted curve from one parameter to another.
 #[derive(Clone, Debug)]
