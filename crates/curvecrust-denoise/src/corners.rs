@@ -25,7 +25,9 @@ const DENSITY: f64 = 8.0;
 const NEAR: f64 = 4.0;
 /// The share of the corners that is taken away at a time.
 const DROPPED: usize = 6;
-
+/// What is rough about the sides of a corner. Fits with a penalty on third derivatives take creases
+/// for bends of outlines that are round: a crease saves them more freedom than it costs.
+const SIDES: Rough = Rough::Bends;
 /// How often the best model is fitted anew from itself.
 const POLISH: usize = 4;
 
@@ -65,14 +67,9 @@ fn of_arc(points: &[DVec2], model: &Model, k: usize, sigma: Option<f64>) -> Opti
         k,
         sigma,
     };
-    let found = [Rough::Bends, Rough::Changes];
-    let found = found
-        .into_iter()
-        .filter_map(|rough| trial.best(&corners, rough));
-    let found = found.reduce(|a, b| if b.0.score > a.0.score { b } else { a });
-    let (best, rough) = found?;
+    let best = trial.best(&corners)?;
     let has_corners = !best.arcs[k].fit.spline.creases().is_empty();
-    (has_corners && best.score > model.score).then(|| trial.polished(best, rough))
+    (has_corners && best.score > model.score).then(|| trial.polished(best))
 }
 
 /// An arc of a model that is fitted anew.
@@ -90,18 +87,18 @@ impl Trial<'_> {
     ///
     /// The fit without any is a rival too: else a crease would be taken for what the new fit alone
     /// gains.
-    fn best(&self, all: &[Corner], rough: Rough) -> Option<(Model, Rough)> {
+    fn best(&self, all: &[Corner]) -> Option<Model> {
         let mut corners = all.to_vec();
         let mut best: Option<Model> = None;
         loop {
-            let fit = self.fitted(&corners, rough)?;
+            let fit = self.fitted(&corners)?;
             let jumps = jumps(&fit);
             let found = self.with(fit)?;
             if best.as_ref().is_none_or(|best| found.score > best.score) {
                 best = Some(found);
             }
             if corners.is_empty() {
-                return best.map(|best| (best, rough));
+                return best;
             }
             let count = corners.len().div_ceil(DROPPED);
             corners = without_weakest(&corners, &jumps, count);
@@ -110,32 +107,27 @@ impl Trial<'_> {
 
     /// The arc fitted with creases, and once more from there: the first fit still has some of the
     /// rounded corners in its parameters.
-    fn fitted(&self, corners: &[Corner], rough: Rough) -> Option<Fit> {
+    fn fitted(&self, corners: &[Corner]) -> Option<Fit> {
         Interrupt::current().check();
         let arc = &self.model.arcs[self.k];
-        let first = fit(&guide(arc, corners), &self.members, self.sigma, rough)?;
-        self.again(&whole(first), rough, |creases| creases)
+        let first = fit(&guide(arc, corners), &self.members, self.sigma, SIDES)?;
+        self.again(&whole(first), |creases| creases)
     }
 
     /// The arc fitted from a fit of it, with some of its creases.
-    fn again(
-        &self,
-        whole: &Arc,
-        rough: Rough,
-        some: impl Fn(Vec<Corner>) -> Vec<Corner>,
-    ) -> Option<Fit> {
+    fn again(&self, whole: &Arc, some: impl Fn(Vec<Corner>) -> Vec<Corner>) -> Option<Fit> {
         let again = guide(whole, &some(creases(whole)));
-        fit(&again, &self.members, self.sigma, rough)
+        fit(&again, &self.members, self.sigma, SIDES)
     }
 
     /// The model without the weakest corner, one after the other, and fitted anew from itself, as
     /// long as that raises its score.
-    fn polished(&self, mut best: Model, rough: Rough) -> Model {
+    fn polished(&self, mut best: Model) -> Model {
         for is_last in [false, true] {
             for _ in 0..POLISH {
                 let whole = whole(best.arcs[self.k].fit.clone());
                 let jumps = jumps(&whole.fit);
-                let fit = self.again(&whole, rough, |creases| match is_last || jumps.len() < 2 {
+                let fit = self.again(&whole, |creases| match is_last || jumps.len() < 2 {
                     true => creases,
                     false => without_weakest(&creases, &jumps, 1),
                 });
