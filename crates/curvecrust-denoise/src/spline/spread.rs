@@ -7,7 +7,7 @@ use crate::robust::{NORMAL, median};
 /// Neighbours on each side whose residuals tell the spread at a point,
 const SIDE: usize = 30;
 /// but no more than this share of the points: else it cannot vary along a curve of few.
-const SHARE: usize = 8;
+const SHARE: usize = 6;
 /// Of fewer points the spread is the same everywhere.
 const FEWEST: usize = 40;
 /// How much the whole counts beside the neighbours, in points.
