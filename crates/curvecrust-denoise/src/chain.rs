@@ -249,6 +249,8 @@ pub(crate) fn guide(places: &[Place], chain: &Chain) -> Guide {
         spacing: along.iter().map(|p| p.spacing).collect(),
         sigma: along.iter().map(|p| p.sigma).collect(),
         closed: false,
+        creases: Vec::new(),
+        even: false,
     };
     if chain.closed { guide.closed() } else { guide }
 }

@@ -132,7 +132,7 @@ fn lone(model: &Model) -> Vec<bool> {
         let is_on = |k: usize| model.assigned[along[k].1].is_some();
         for k in 0..count {
             let around = (1..=BESIDE).flat_map(|step| {
-                let round = arc.fit.spline.closed && count > 2 * BESIDE;
+                let round = arc.fit.spline.closed() && count > 2 * BESIDE;
                 let before = k.checked_sub(step).or(round.then(|| k + count - step));
                 let after = Some(k + step).filter(|&j| j < count);
                 [before, after.or(round.then(|| (k + step) % count))]

@@ -75,6 +75,7 @@ fn polyline(points: &PointSet, vertices: &[usize], closed: bool) -> FittedCurve 
     FittedCurve {
         cubics,
         closed,
+        corners: Vec::new(),
         sigma: vec![0.0; joints],
         standard_error: vec![0.0; joints],
         points: vertices.len(),
@@ -142,12 +143,27 @@ fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
             .collect()
     };
     FittedCurve {
-        closed: spline.closed,
+        closed: spline.closed(),
+        corners: corners(arc, cubics.len()),
         sigma: lengths(&|t| arc.fit.spread.at(t)),
         standard_error: lengths(&|t| arc.fit.standard_error(t)),
         points,
         cubics,
     }
+}
+
+/// The joints of the cubics of an arc that are creases, ends of an open one aside.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a parameter of the spline"
+)]
+fn corners(arc: &Arc, cubics: usize) -> Vec<usize> {
+    let start = arc.from.floor() as usize;
+    let joints = arc.fit.spline.creases().iter();
+    let joints = joints.filter_map(|crease| crease.checked_sub(start));
+    let is_inner = |&k: &usize| arc.fit.spline.closed() || (1..cubics).contains(&k);
+    joints.filter(is_inner).collect()
 }
 
 /// The parameter on the cubics of an arc for one of its spline.

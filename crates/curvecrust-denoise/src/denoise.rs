@@ -9,6 +9,7 @@ use crate::candidates::best;
 use crate::chain::as_set;
 use crate::clean;
 use crate::convert;
+use crate::corners::cornered;
 use crate::error::DenoiseError;
 use crate::fitted::Fitted;
 use crate::options::Options;
@@ -91,7 +92,11 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
     if let Some(stays) = stays.flatten() {
         return frame.clean(points, &stays, options);
     }
-    let model = found.map(|(model, _)| model);
+    let model = found.map(|(model, _)| {
+        let scale = 1.0 / frame.to_unit.invert_length(1.0);
+        let sigma = options.sigma.map(|sigma| sigma * scale);
+        cornered(&frame.all.points, model, sigma)
+    });
     let count = points.len();
     Ok(convert::noisy(
         count,

@@ -60,6 +60,8 @@ impl Ellipse {
             sigma: vec![radii.x; vertices.len()],
             vertices,
             closed: true,
+            creases: Vec::new(),
+            even: false,
         }
     }
 }

@@ -37,6 +37,10 @@ pub struct FittedCurve {
     pub cubics: Vec<[DVec2; 4]>,
     /// Whether the curve is closed.
     pub closed: bool,
+    /// Where it has corners: the position in `cubics` of each cubic that starts at one, ascending.
+    /// Everywhere else it is smooth. None for clean points, whose straight pieces meet at an angle
+    /// at every joint.
+    pub corners: Vec<usize>,
     /// The standard deviation of the points from the curve at each joint: at the start of every
     /// cubic, and at the end of the last. 0 for clean points.
     pub sigma: Vec<f64>,
@@ -95,6 +99,13 @@ impl FittedCurve {
     pub fn deviation(&self) -> f64 {
         let squares: f64 = self.sigma.iter().map(|s| s * s).sum();
         (squares / self.sigma.len().max(1) as f64).sqrt()
+    }
+
+    /// The corners as places, in order along the curve.
+    #[must_use]
+    pub fn corner_places(&self) -> Vec<DVec2> {
+        let cubics = self.corners.iter().filter_map(|&k| self.cubics.get(k));
+        cubics.map(|cubic| cubic[0]).collect()
     }
 
     /// The place at a parameter as [`Place::parameter`] counts it, clamped to the curve; the origin

@@ -39,6 +39,7 @@ mod candidates;
 mod chain;
 mod clean;
 mod convert;
+mod corners;
 mod denoise;
 mod ellipse;
 mod error;

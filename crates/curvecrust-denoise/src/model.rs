@@ -7,7 +7,7 @@ use rstar::primitives::{GeomWithData, Line};
 
 use crate::area::hull_area;
 use crate::evidence;
-use crate::spline::{Fit, Guide, Samples, fit};
+use crate::spline::{Fit, Guide, Rough, Samples, fit};
 use crate::tree::Tree;
 
 /// A point within this many deviations of the chain takes part in the first fit.
@@ -25,6 +25,9 @@ const FEWEST: usize = 6;
 /// The expected number of points beyond an end, when points scatter by one spacing:
 /// 1 / sqrt(2 pi).
 const BEYOND: f64 = 0.399;
+
+/// What a corner costs beside the freedom of its fit, in log n.
+const CORNER: f64 = 0.5;
 
 /// A fitted curve from one parameter to another.
 #[derive(Clone, Debug)]
@@ -50,7 +53,7 @@ pub(crate) struct Model {
     pub(crate) assigned: Vec<Option<Assigned>>,
     /// By point, outliers too.
     pub(crate) nearest: Vec<Assigned>,
-    /// The log-likelihood, less log n for two degrees of freedom or one end.
+    /// The log-likelihood, less log n for two degrees of freedom, an end or a corner.
     pub(crate) score: f64,
     likelihood: f64,
     /// By how many times its degrees of freedom the model explains the points better than if they
@@ -66,31 +69,12 @@ pub(crate) fn model(points: &[DVec2], guides: &[Guide], sigma: Option<f64>) -> O
         .zip(&near)
         .map(|(guide, members)| {
             let enough = members.len() >= FEWEST;
-            enough.then(|| fit(guide, members, sigma)).flatten()
+            enough
+                .then(|| fit(guide, members, sigma, Rough::Changes))
+                .flatten()
         })
         .collect();
-    let area = hull_area(points);
-    let mut model = assign(points, fits.into_iter().flatten().collect())?;
-    // A curve that the background explains as well goes, and its points are assigned anew.
-    loop {
-        let evidence = model.evidence_of_each(points.len(), area);
-        if evidence.iter().all(|&e| e > 0.0) {
-            break;
-        }
-        let arcs = model
-            .arcs
-            .into_iter()
-            .zip(evidence)
-            .filter(|(_, e)| *e > 0.0);
-        model = assign(points, arcs.map(|(arc, _)| arc.fit).collect())?;
-    }
-    let (likelihood, freedom) = (model.likelihood(area), model.freedom());
-    model.likelihood = likelihood;
-    model.evidence = model.evidence_against(area);
-    // Half of log n for a number that is fitted; an end is found among all places of the curve.
-    let log_n = (points.len() as f64).ln();
-    model.score = likelihood - (0.5 * freedom + model.ends()) * log_n;
-    Some(model)
+    Model::of(points, fits.into_iter().flatten().collect())
 }
 
 /// For each guide the points that lie near it and nearer than to any other.
@@ -195,7 +179,7 @@ fn assign(points: &[DVec2], fits: Vec<Fit>) -> Option<Model> {
 /// has fallen to one half: beyond it are as many as scatter by a deviation lets expect.
 fn ends(fit: &Fit, mut parameters: Vec<f64>) -> (f64, f64) {
     let whole = fit.spline.intervals() as f64;
-    if fit.spline.closed || parameters.len() < FEWEST {
+    if fit.spline.closed() || parameters.len() < FEWEST {
         return (0.0, whole);
     }
     parameters.sort_unstable_by(f64::total_cmp);
@@ -235,6 +219,34 @@ fn length(places: &[DVec2]) -> f64 {
 }
 
 impl Model {
+    /// The model of fitted curves; `None` if none stands out from the background.
+    pub(crate) fn of(points: &[DVec2], fits: Vec<Fit>) -> Option<Self> {
+        let area = hull_area(points);
+        let mut model = assign(points, fits)?;
+        // A curve that the background explains as well goes, and its points are assigned anew.
+        loop {
+            let evidence = model.evidence_of_each(points.len(), area);
+            if evidence.iter().all(|&e| e > 0.0) {
+                break;
+            }
+            let arcs = model
+                .arcs
+                .into_iter()
+                .zip(evidence)
+                .filter(|(_, e)| *e > 0.0);
+            model = assign(points, arcs.map(|(arc, _)| arc.fit).collect())?;
+        }
+        let (likelihood, freedom) = (model.likelihood(area), model.freedom());
+        model.likelihood = likelihood;
+        model.evidence = model.evidence_against(area);
+        // Half of log n for a number that is fitted; an end, and a corner, is found among all
+        // places of the curve.
+        let log_n = (points.len() as f64).ln();
+        let found = model.ends() + CORNER * model.corners();
+        model.score = likelihood - (0.5 * freedom + found) * log_n;
+        Some(model)
+    }
+
     /// The points of each curve.
     pub(crate) fn counts(&self) -> Vec<usize> {
         let mut counts = vec![0; self.arcs.len()];
@@ -303,9 +315,15 @@ impl Model {
         self.arcs.iter().map(|arc| arc.fit.freedom + 2.0).sum()
     }
 
+    /// The number of corners.
+    fn corners(&self) -> f64 {
+        let corners = self.arcs.iter().map(|arc| arc.fit.spline.creases().len());
+        corners.sum::<usize>() as f64
+    }
+
     /// The number of ends of open curves.
     fn ends(&self) -> f64 {
-        let open = self.arcs.iter().filter(|arc| !arc.fit.spline.closed);
+        let open = self.arcs.iter().filter(|arc| !arc.fit.spline.closed());
         2.0 * open.count() as f64
     }
 }

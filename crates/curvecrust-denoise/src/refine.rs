@@ -65,14 +65,14 @@ fn agrees(model: &Model, known: &Options) -> bool {
     let closed = known.shape.map(|shape| shape == Shape::Closed);
     let mut arcs = model.arcs.iter();
     count.is_none_or(|count| count == model.arcs.len())
-        && closed.is_none_or(|closed| arcs.all(|arc| arc.fit.spline.closed == closed))
+        && closed.is_none_or(|closed| arcs.all(|arc| arc.fit.spline.closed() == closed))
 }
 
 /// The guides of all arcs but some, and others instead.
 fn instead(best: &Model, without: &[usize], others: Vec<Guide>) -> Vec<Guide> {
     let arcs = best.arcs.iter().enumerate();
     let kept = arcs.filter(|(k, _)| !without.contains(k));
-    let kept = kept.map(|(_, arc)| guide(arc, arc.from, arc.to, arc.fit.spline.closed));
+    let kept = kept.map(|(_, arc)| guide(arc, arc.from, arc.to, arc.fit.spline.closed()));
     kept.chain(others).collect()
 }
 
@@ -98,6 +98,8 @@ fn guide(arc: &Arc, from: f64, to: f64, closed: bool) -> Guide {
         sigma: parameters.iter().map(|&t| arc.fit.spread.at(t)).collect(),
         vertices,
         closed,
+        creases: Vec::new(),
+        even: false,
     };
     if closed {
         guide.vertices.pop();
@@ -125,7 +127,7 @@ fn cuts(points: &[DVec2], best: &Model) -> Vec<Change> {
     pairs
         .filter_map(|(k, (arc, gains))| {
             let (loss, from, to) = worst_stretch(arc, gains)?;
-            let closed = arc.fit.spline.closed;
+            let closed = arc.fit.spline.closed();
             let intervals = arc.fit.spline.intervals() as f64;
             let left = if closed {
                 vec![guide(arc, to, from + intervals, false)]
@@ -167,7 +169,7 @@ fn worst_stretch(arc: &Arc, mut gains: Vec<(f64, f64)>) -> Option<(f64, f64, f64
             gain,
         )
     };
-    let laps = if arc.fit.spline.closed {
+    let laps = if arc.fit.spline.closed() {
         2 * count
     } else {
         count
@@ -200,7 +202,7 @@ fn joins(best: &Model) -> Vec<Change> {
         .arcs
         .iter()
         .enumerate()
-        .filter(|(_, a)| !a.fit.spline.closed)
+        .filter(|(_, a)| !a.fit.spline.closed())
         .collect();
     let mut changes = Vec::new();
     for (x, &(k, arc)) in open.iter().enumerate() {

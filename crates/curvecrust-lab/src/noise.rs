@@ -3,6 +3,7 @@
 //! A cell is a curve, a number of points, how far they scatter, and how many others there are. Each
 //! is drawn with several seeds, a curve is fitted, and it is compared with the known one.
 
+mod corners;
 mod curves;
 mod draw;
 mod sample;
@@ -23,8 +24,8 @@ use sample::{Cell, Density, Noise, Sample, sample};
 use score::{Score, score};
 
 /// An experiment by its name.
-pub const EXPERIMENTS: [&str; 7] = [
-    "levels", "outliers", "varied", "clean", "circles", "things", "nothing",
+pub const EXPERIMENTS: [&str; 8] = [
+    "levels", "outliers", "varied", "clean", "circles", "things", "nothing", "corners",
 ];
 
 const CELL: Cell = Cell {
@@ -68,6 +69,7 @@ pub fn run(
         "circles" => EXTENTS
             .iter()
             .for_each(|&extent| add(circles(extent, seeds))),
+        "corners" => corners::rows(seeds, add)?,
         "nothing" => SIZES.iter().for_each(|&n| add(nothing(n, seeds))),
         _ => {
             for row in rows(experiment).context("there is no such experiment")? {
@@ -83,6 +85,7 @@ pub fn run(
 fn header(experiment: &str) -> Vec<String> {
     let names: &[&str] = match experiment {
         "circles" => &["extent", "rings %", "rms"],
+        "corners" => &corners::HEADER,
         "nothing" => &["points", "no curve of a square %", "no curve of a disc %"],
         _ => &[
             "points", "inputs", "right %", "rms", "largest", "back", "kept %", "found %",

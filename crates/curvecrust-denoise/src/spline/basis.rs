@@ -1,101 +1,55 @@
-//! Uniform cubic B-splines in the plane, open or closed, and their Bézier form.
+//! Cubic B-splines in the plane, open or closed, and their Bézier form.
 
 use glam::DVec2;
+
+use super::knots::{Knots, Row, wrapped};
+
+/// How far inside of an interval the spline is evaluated at its end, which belongs to two.
+const INSIDE: f64 = 1e-12;
 
 /// A spline of one cubic piece an interval; its parameter runs from 0 to the number of intervals.
 #[derive(Clone, Debug)]
 pub(crate) struct Spline {
-    /// The control points: as many as intervals if it is closed, else three more.
     pub(crate) controls: Vec<DVec2>,
-    pub(crate) closed: bool,
-}
-
-/// Weights of the four control points that a place of a spline depends on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Row {
-    pub(crate) columns: [usize; 4],
-    pub(crate) weights: [f64; 4],
-    /// Those of the derivative by the parameter.
-    pub(crate) slopes: [f64; 4],
-}
-
-/// The number of control points of a spline.
-pub(crate) fn controls_of(intervals: usize, closed: bool) -> usize {
-    if closed { intervals } else { intervals + 3 }
-}
-
-/// Where on a spline a parameter lies: of a closed one modulo its length, of an open one clamped.
-pub(crate) fn wrapped(t: f64, intervals: usize, closed: bool) -> f64 {
-    let length = intervals as f64;
-    if closed {
-        let t = t.rem_euclid(length);
-        if t < length { t } else { 0.0 }
-    } else {
-        t.clamp(0.0, length)
-    }
-}
-
-/// The interval of a parameter that [`wrapped`] gave, and the place in it.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "between 0 and the number of intervals"
-)]
-pub(crate) fn interval(t: f64, intervals: usize) -> (usize, f64) {
-    let j = (t.floor() as usize).min(intervals.saturating_sub(1));
-    (j, t - j as f64)
-}
-
-/// The weights of the control points at a parameter.
-pub(crate) fn row(t: f64, intervals: usize, closed: bool) -> Row {
-    let (j, u) = interval(wrapped(t, intervals, closed), intervals);
-    let v = 1.0 - u;
-    let count = controls_of(intervals, closed);
-    Row {
-        columns: [0, 1, 2, 3].map(|a| if closed { (j + a) % count } else { j + a }),
-        weights: [
-            v * v * v / 6.0,
-            (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0,
-            (-3.0 * u * u * u + 3.0 * u * u + 3.0 * u + 1.0) / 6.0,
-            u * u * u / 6.0,
-        ],
-        slopes: [
-            -v * v / 2.0,
-            (3.0 * u * u - 4.0 * u) / 2.0,
-            (-3.0 * u * u + 2.0 * u + 1.0) / 2.0,
-            u * u / 2.0,
-        ],
-    }
-}
-
-impl Row {
-    pub(crate) fn point(&self, controls: &[DVec2]) -> DVec2 {
-        let pairs = self.columns.iter().zip(self.weights);
-        pairs.map(|(&c, w)| controls[c] * w).sum()
-    }
-
-    pub(crate) fn tangent(&self, controls: &[DVec2]) -> DVec2 {
-        let pairs = self.columns.iter().zip(self.slopes);
-        pairs.map(|(&c, w)| controls[c] * w).sum()
-    }
+    pub(crate) knots: Knots,
 }
 
 impl Spline {
     pub(crate) fn intervals(&self) -> usize {
-        self.controls.len() - if self.closed { 0 } else { 3 }
+        self.knots.intervals
+    }
+
+    pub(crate) fn closed(&self) -> bool {
+        self.knots.closed
+    }
+
+    /// The places where its direction may jump.
+    pub(crate) fn creases(&self) -> &[usize] {
+        &self.knots.creases
     }
 
     pub(crate) fn row(&self, t: f64) -> Row {
-        row(t, self.intervals(), self.closed)
+        self.knots.row(t)
     }
 
     /// A parameter as the spline has it: of a closed one modulo its length.
     pub(crate) fn wrapped(&self, t: f64) -> f64 {
-        wrapped(t, self.intervals(), self.closed)
+        wrapped(t, self.intervals(), self.closed())
     }
 
     pub(crate) fn point(&self, t: f64) -> DVec2 {
         self.row(t).point(&self.controls)
+    }
+
+    /// The derivative by the parameter.
+    pub(crate) fn tangent(&self, t: f64) -> DVec2 {
+        self.row(t).tangent(&self.controls)
+    }
+
+    /// The derivatives just before and after a whole parameter.
+    pub(crate) fn sides(&self, knot: usize) -> [DVec2; 2] {
+        let before = if knot > 0 { knot } else { self.intervals() };
+        [before as f64 - INSIDE, knot as f64].map(|t| self.tangent(t))
     }
 
     /// The Bézier pieces from one parameter to a later one.
@@ -110,7 +64,7 @@ impl Spline {
             }
             start = next;
         }
-        if let (true, [first, .., last]) = (self.closed, &mut *pieces) {
+        if let (true, [first, .., last]) = (self.closed(), &mut *pieces) {
             last[3] = first[0];
         }
         for i in 1..pieces.len() {
@@ -121,10 +75,9 @@ impl Spline {
 
     /// One cubic between two parameters of one interval: by values and slopes at its ends.
     fn bezier(&self, from: f64, to: f64) -> [DVec2; 4] {
-        // Evaluated inside of the interval, whose ends belong to two.
         let whole = from.floor();
         let ends = [from, to].map(|t| {
-            let inside = (t - whole).clamp(0.0, 1.0 - 1e-12);
+            let inside = (t - whole).clamp(0.0, 1.0 - INSIDE);
             self.row(whole + inside)
         });
         let [a, b] = ends.map(|row| row.point(&self.controls));
@@ -138,13 +91,19 @@ impl Spline {
 mod tests {
     use super::*;
 
+    fn spline(controls: Vec<DVec2>, closed: bool) -> Spline {
+        let knots = Knots {
+            intervals: controls.len() - if closed { 0 } else { 3 },
+            closed,
+            creases: Vec::new(),
+        };
+        Spline { controls, knots }
+    }
+
     #[test]
     fn weights_sum_to_one_and_reproduce_lines() {
         let line: Vec<DVec2> = (0..9).map(|i| DVec2::new(f64::from(i), 2.0)).collect();
-        let spline = Spline {
-            controls: line,
-            closed: false,
-        };
+        let spline = spline(line, false);
         for t in [0.0, 0.25, 1.0, 3.7, 6.0] {
             let row = spline.row(t);
             assert!((row.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
@@ -164,10 +123,7 @@ mod tests {
         ];
         let controls: Vec<DVec2> = controls.map(DVec2::from).to_vec();
         for closed in [true, false] {
-            let spline = Spline {
-                controls: controls.clone(),
-                closed,
-            };
+            let spline = spline(controls.clone(), closed);
             let end = spline.intervals() as f64;
             let (from, to) = if closed { (0.0, end) } else { (0.3, end - 0.4) };
             let pieces = spline.beziers(from, to);

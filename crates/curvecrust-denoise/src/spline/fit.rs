@@ -9,26 +9,28 @@ use glam::DVec2;
 use curvecrust_geometry::Interrupt;
 
 use super::banded::Banded;
-use super::basis::{Row, Spline, controls_of, row};
+use super::basis::Spline;
 use super::guide::Guide;
+use super::knots::{Knots, Row};
 use super::nearest::{Samples, follow};
+use super::penalty::{Penalty, Rough};
 use super::spread::Spread;
-use crate::robust::median;
+use super::start::start;
 
 /// Rounds of fitting: each moves the parameters and the weights to the last curve.
 const ROUNDS: usize = 4;
 /// What a degree of freedom counts in cross validation. 1 fits some of the noise now and then.
 const FREEDOM: f64 = 1.4;
-/// The power by which the penalty yields where the curve bends much.
-const YIELD: f64 = 1.5;
 /// Logarithms to base 10 of the penalties tried, in steps of one half.
 const PENALTIES: std::ops::RangeInclusive<i32> = -6..=14;
 /// Every so many of them are tried first.
 const COARSE: usize = 4;
+/// Before this round a fit with creases may take any penalty, later one near the last.
+const WIDE: usize = 2;
 /// Residuals, in local sigma, from which on a point has no weight.
 const TUKEY: f64 = 4.5;
 /// Keeps unknowns that neither a point nor the penalty holds.
-const RIDGE: f64 = 1e-9;
+pub(super) const RIDGE: f64 = 1e-9;
 
 /// A fitted spline and what is known of it.
 #[derive(Clone, Debug)]
@@ -50,74 +52,23 @@ impl Fit {
     }
 }
 
-/// The third differences of the control points, weighted.
-struct Penalty {
-    closed: bool,
-    unknowns: usize,
-    weights: Vec<f64>,
-}
-
-const THIRD: [f64; 4] = [-1.0, 3.0, -3.0, 1.0];
-
-impl Penalty {
-    fn new(unknowns: usize, closed: bool) -> Self {
-        let rows = if closed { unknowns } else { unknowns - 3 };
-        Self {
-            closed,
-            unknowns,
-            weights: vec![1.0; rows],
-        }
-    }
-
-    fn columns(&self, start: usize) -> [usize; 4] {
-        [0, 1, 2, 3].map(|a| (start + a) % self.unknowns)
-    }
-
-    fn matrix(&self) -> Banded {
-        let mut matrix = Banded::zero(self.unknowns, self.closed);
-        for (start, &weight) in self.weights.iter().enumerate() {
-            matrix.add_outer(self.columns(start), THIRD, weight);
-        }
-        matrix
-    }
-
-    /// Yields where third differences are large, so that a corner does not set the smoothing of
-    /// the rest.
-    fn adapt(&mut self, controls: &[DVec2]) {
-        let difference = |start: usize| {
-            let columns = self.columns(start);
-            let terms = columns.iter().zip(THIRD);
-            terms.map(|(&c, w)| controls[c] * w).sum::<DVec2>().length()
-        };
-        let sizes: Vec<f64> = (0..self.weights.len()).map(difference).collect();
-        let count = sizes.len();
-        let at = |i: usize, step: isize| match i.checked_add_signed(step) {
-            Some(j) if j < count => sizes[j],
-            Some(_) if self.closed => sizes[0],
-            None if self.closed => sizes[count - 1],
-            _ => sizes[i],
-        };
-        let smooth: Vec<f64> = (0..count)
-            .map(|i| 0.25 * at(i, -1) + 0.5 * sizes[i] + 0.25 * at(i, 1))
-            .collect();
-        let usual = median(&mut smooth.clone()).max(f64::MIN_POSITIVE.sqrt());
-        let weight = |size: f64| (usual / (size + usual)).powf(YIELD);
-        let mean = smooth.iter().map(|&s| weight(s).ln()).sum::<f64>() / count.max(1) as f64;
-        self.weights = smooth.iter().map(|&s| weight(s) / mean.exp()).collect();
-    }
-}
-
 /// Fits a spline to points that belong to a guide. Their deviation from the curve may be known.
-pub(crate) fn fit(guide: &Guide, points: &[DVec2], sigma: Option<f64>) -> Option<Fit> {
-    let (mut spline, closed) = (start(guide)?, guide.closed);
-    let intervals = spline.intervals();
-    let unknowns = controls_of(intervals, closed);
-    let mut penalty = Penalty::new(unknowns, closed);
+pub(crate) fn fit(
+    guide: &Guide,
+    points: &[DVec2],
+    sigma: Option<f64>,
+    rough: Rough,
+) -> Option<Fit> {
+    let mut spline = start(guide)?;
+    let knots = spline.knots.clone();
+    let mut penalty = Penalty::new(&knots, rough);
     let mut samples = Samples::of(&spline);
     let mut parameters: Vec<f64> = samples.nearest_of_all(points);
     let mut weights = vec![1.0; points.len()];
     let mut last: Option<Fit> = None;
     let mut level: Option<i32> = None;
+    // Where corners meet moves the first parameters by much.
+    let wide = if guide.even { WIDE } else { 0 };
     let interrupt = Interrupt::current();
     for round in 0..ROUNDS {
         interrupt.check();
@@ -125,13 +76,10 @@ pub(crate) fn fit(guide: &Guide, points: &[DVec2], sigma: Option<f64>) -> Option
             penalty.adapt(&spline.controls);
             follow(&samples, points, &mut parameters);
         }
-        let rows: Vec<Row> = parameters
-            .iter()
-            .map(|&t| row(t, intervals, closed))
-            .collect();
-        let system = System::new(&rows, points, &weights, unknowns, closed);
+        let rows: Vec<Row> = parameters.iter().map(|&t| knots.row(t)).collect();
+        let system = System::new(&rows, points, &weights, &knots);
         let best = system.best(&penalty.matrix(), &spline, level)?;
-        level = Some(best.level);
+        level = (round >= wide).then_some(best.level);
         spline.controls = best.controls;
         let spread = match sigma {
             Some(sigma) => Spread::known(sigma, &spline),
@@ -145,6 +93,7 @@ pub(crate) fn fit(guide: &Guide, points: &[DVec2], sigma: Option<f64>) -> Option
             } else {
                 0.0
             };
+            let tukey = if knots.is_at_crease(t) { 0.0 } else { tukey };
             *w = (tukey + 1e-6) * (spread.common() / sigma).powi(2);
         }
         samples = Samples::of(&spline);
@@ -158,74 +107,13 @@ pub(crate) fn fit(guide: &Guide, points: &[DVec2], sigma: Option<f64>) -> Option
     last
 }
 
-/// A spline near the polyline of the guide.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a number of intervals, of which there are as many as vertices allow"
-)]
-fn start(guide: &Guide) -> Option<Spline> {
-    let count = guide.vertices.len();
-    let mut places = guide.vertices.clone();
-    let mut spacing = guide.spacing.clone();
-    if guide.closed {
-        places.push(*places.first()?);
-        spacing.push(*spacing.first()?);
-    }
-    let mut tau = vec![0.0];
-    for i in 1..places.len() {
-        let step = places[i].distance(places[i - 1]) / (0.5 * (spacing[i] + spacing[i - 1]));
-        tau.push(tau[i - 1] + step);
-    }
-    let length = *tau.last()?;
-    if !(length > 0.0 && length.is_finite()) {
-        return None;
-    }
-    let least = if guide.closed { 4 } else { 2 };
-    // More than a few intervals a vertex serve nobody.
-    let intervals = (length.ceil().min(4.0 * count as f64) as usize).max(least);
-    let unknowns = controls_of(intervals, guide.closed);
-    let samples = 8 * intervals;
-    let (mut rows, mut along) = (Vec::new(), Vec::new());
-    let mut edge = 0;
-    for i in 0..=samples {
-        if guide.closed && i == samples {
-            break;
-        }
-        let share = i as f64 / samples as f64 * length;
-        while edge + 2 < tau.len() && tau[edge + 1] < share {
-            edge += 1;
-        }
-        let gap = tau[edge + 1] - tau[edge];
-        let part = if gap > 0.0 {
-            (share - tau[edge]) / gap
-        } else {
-            0.0
-        };
-        along.push(places[edge].lerp(places[edge + 1], part.clamp(0.0, 1.0)));
-        rows.push(row(i as f64 / 8.0, intervals, guide.closed));
-    }
-    let weights = vec![1.0; rows.len()];
-    let system = System::new(&rows, &along, &weights, unknowns, guide.closed);
-    let penalty = Penalty::new(unknowns, guide.closed).matrix();
-    let controls = system
-        .normal
-        .plus(1e-2, &penalty, RIDGE)
-        .factor()
-        .solve(system.right);
-    Some(Spline {
-        controls,
-        closed: guide.closed,
-    })
-}
-
 /// The normal equations without penalty.
-struct System<'a> {
+pub(super) struct System<'a> {
     rows: &'a [Row],
     points: &'a [DVec2],
     weights: &'a [f64],
-    normal: Banded,
-    right: Vec<DVec2>,
+    pub(super) normal: Banded,
+    pub(super) right: Vec<DVec2>,
 }
 
 struct Best {
@@ -238,14 +126,14 @@ struct Best {
 }
 
 impl<'a> System<'a> {
-    fn new(
+    pub(super) fn new(
         rows: &'a [Row],
         points: &'a [DVec2],
         weights: &'a [f64],
-        unknowns: usize,
-        closed: bool,
+        knots: &Knots,
     ) -> Self {
-        let mut normal = Banded::zero(unknowns, closed);
+        let unknowns = knots.controls();
+        let mut normal = Banded::zero(unknowns, knots.closed);
         let mut right = vec![DVec2::ZERO; unknowns];
         for ((row, &p), &weight) in rows.iter().zip(points).zip(weights) {
             normal.add_outer(row.columns, row.weights, weight);

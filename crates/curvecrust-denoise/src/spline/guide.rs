@@ -9,18 +9,24 @@ pub(crate) struct Guide {
     pub(crate) spacing: Vec<f64>,
     pub(crate) sigma: Vec<f64>,
     pub(crate) closed: bool,
+    /// Vertices where the direction may jump, ascending; of a closed one with any, the first
+    /// vertex is one.
+    pub(crate) creases: Vec<usize>,
+    /// Whether the spline starts at an even pace, between creases, whatever the spacing.
+    pub(crate) even: bool,
 }
 
 impl Guide {
-    /// The same from its other end.
+    /// The same from its other end, without creases.
     pub(crate) fn turned(mut self) -> Self {
         self.vertices.reverse();
         self.spacing.reverse();
         self.sigma.reverse();
+        self.creases.clear();
         self
     }
 
-    /// This and then another one, as one that is open.
+    /// This and then another one, as one that is open, without the creases of the other.
     pub(crate) fn and_then(mut self, other: Self) -> Self {
         self.vertices.extend(other.vertices);
         self.spacing.extend(other.spacing);

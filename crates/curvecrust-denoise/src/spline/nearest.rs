@@ -19,11 +19,11 @@ pub(crate) struct Samples {
 
 impl Samples {
     pub(crate) fn of(spline: &Spline) -> Self {
-        let count = spline.intervals() * DENSITY + usize::from(!spline.closed);
+        let count = spline.intervals() * DENSITY + usize::from(!spline.closed());
         let at = |i: usize| spline.point(i as f64 / DENSITY as f64);
         Self {
             places: (0..count).map(at).collect(),
-            closed: spline.closed,
+            closed: spline.closed(),
         }
     }
 

@@ -1,10 +1,15 @@
 //! How far points scatter about a curve, along it.
 
-use super::basis::{Spline, wrapped};
+use super::basis::Spline;
+use super::knots::wrapped;
 use crate::robust::{NORMAL, median};
 
-/// Neighbours on each side whose residuals tell the spread at a point.
+/// Neighbours on each side whose residuals tell the spread at a point,
 const SIDE: usize = 30;
+/// but no more than this share of the points: else it cannot vary along a curve of few.
+const SHARE: usize = 6;
+/// Of fewer points the spread is the same everywhere.
+const FEWEST: usize = 40;
 /// How much the whole counts beside the neighbours, in points.
 const SHRINK: f64 = 5.0;
 /// The deviation is told at every so many points, and interpolated: windows overlap by far.
@@ -29,7 +34,7 @@ impl Spread {
             common: sigma,
             local: Vec::new(),
             intervals: spline.intervals(),
-            closed: spline.closed,
+            closed: spline.closed(),
         }
     }
 
@@ -40,7 +45,7 @@ impl Spread {
         let left = (count as f64 - freedom).max(1.0);
         let common = NORMAL * middle * (count as f64 / left).sqrt();
         let mut spread = Self::known(common, spline);
-        if count > 2 * SIDE && middle > 0.0 {
+        if count > FEWEST && middle > 0.0 {
             let pairs = parameters.iter().zip(residuals);
             let mut along: Vec<(f64, f64)> = pairs
                 .map(|(&t, r)| (wrapped(t, spread.intervals, spread.closed), r.abs()))
@@ -67,14 +72,15 @@ impl Spread {
             };
             usize::try_from(i.clamp(0, last)).unwrap_or(0)
         };
-        let mut window = vec![0.0; 2 * SIDE + 1];
+        let side = SIDE.min(count / SHARE);
+        let mut window = vec![0.0; 2 * side + 1];
         let width = window.len() as f64;
         let common = self.common.ln();
         let last = !(count - 1).is_multiple_of(STEP);
         let at = (0..count).step_by(STEP).chain(last.then_some(count - 1));
         at.map(|i| {
             for (k, value) in window.iter_mut().enumerate() {
-                *value = along[mirrored(i as isize + k as isize - SIDE as isize)].1;
+                *value = along[mirrored(i as isize + k as isize - side as isize)].1;
             }
             let here = self.common * median(&mut window) / middle;
             let here = here.clamp(self.common / RANGE, self.common * RANGE).ln();
