@@ -47,6 +47,40 @@ fn clean_points_give_the_edges_of_least_detour() {
     }
 }
 
+/// Points that scatter about the square between (0, 0) and (1, 1), 80 a side.
+fn square(sigma: f64, seed: u64) -> Vec<DVec2> {
+    let mut random = Random::new(seed);
+    let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+    let along = (0..320_u32).map(|i| {
+        let side = i as usize / 80;
+        let place = corners[side].lerp(corners[(side + 1) % 4], f64::from(i % 80) / 80.0);
+        place + sigma * DVec2::new(random.normal(), random.normal())
+    });
+    along.collect()
+}
+
+#[test]
+fn corners_of_a_square_are_found() {
+    for (sigma, seed) in [(0.003, 1), (0.006, 2), (0.006, 3)] {
+        let fitted = denoise(&set(square(sigma, seed)));
+        let [curve] = &*fitted.curves else {
+            panic!("one curve");
+        };
+        let found = curve.corners.iter().map(|i| curve.cubics[*i][0]);
+        let mut found: Vec<DVec2> = found.collect();
+        found.sort_by_key(|p| (p.x > 0.5, p.y > 0.5));
+        let known = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
+        assert_eq!(found.len(), known.len(), "{found:?}");
+        for (found, known) in found.into_iter().zip(known) {
+            assert!(found.distance(known) < 3.0 * sigma, "{found} for {known}");
+        }
+    }
+    for seed in 1..4 {
+        let fitted = denoise(&set(ring(300, 0.02, 0, seed)));
+        assert!(fitted.curves.iter().all(|curve| curve.corners.is_empty()));
+    }
+}
+
 #[test]
 fn a_ring_is_found_within_its_error() {
     for (n, sigma, outliers) in [(300, 0.02, 0), (300, 0.06, 20), (1000, 0.05, 100)] {

@@ -5,7 +5,7 @@ use crate::errors::value_error;
 use crate::reconstruct::{Input, shape};
 use crate::work::Run;
 use curvecrust::DVec2;
-use curvecrust::denoise::{Fitted, Options, denoise_with};
+use curvecrust::denoise::{Fitted, FittedCurve, Options, denoise_with};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -53,6 +53,11 @@ pub(crate) fn fit<'py>(
     curves(py, &input, &fitted, count)
 }
 
+/// For each cubic of a curve, whether it starts at a corner.
+fn starts_at_corner(curve: &FittedCurve) -> impl Iterator<Item = bool> {
+    (0..curve.cubics.len()).map(|i| curve.corners.binary_search(&i).is_ok())
+}
+
 fn curves<'py>(
     py: Python<'py>,
     input: &Input,
@@ -79,6 +84,7 @@ fn curves<'py>(
         .with_rows("controls", controls.iter().map(|p| p.to_array()))?
         .with("offsets", offsets)?
         .with("closed", all().map(|c| c.closed).collect())?
+        .with("at_corner", all().flat_map(starts_at_corner).collect())?
         .with("counts", all().map(|c| int(c.points)).collect())?
         .with("sigmas", all().flat_map(|c| &c.sigma).copied().collect())?
         .with(

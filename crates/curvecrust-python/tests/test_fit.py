@@ -37,6 +37,20 @@ def test_every_array_has_its_shape() -> None:
     assert repr(found) == f"<Fit of 302 points: 1 closed and 0 open, {count} outliers>"
 
 
+def test_corners_are_told() -> None:
+    random = np.random.default_rng(2)
+    along = np.linspace(0, 1, 80, endpoint=False)
+    sides = [np.c_[along, 0 * along], np.c_[1 + 0 * along, along]]
+    sides += [1 - side for side in sides]
+    square = np.concatenate(sides) + 0.005 * random.normal(size=(320, 2))
+    (curve,) = curvecrust.fit(square).curves
+    corners = curve.cubics[curve.corners, 0]
+    assert np.allclose(sorted(corners.round().tolist()), [[0, 0], [0, 1], [1, 0], [1, 1]])
+    assert abs(corners - corners.round()).max() < 0.02
+    (smooth,) = curvecrust.fit(ring(300, 0.05)).curves
+    assert len(smooth.corners) == 0
+
+
 def test_clean_points_have_the_edges_of_reconstruct() -> None:
     angles = np.random.default_rng(4).permutation(60) * np.pi / 30
     points = np.c_[np.cos(angles), np.sin(angles)]

@@ -42,6 +42,7 @@ fn a_scattered_circle_in_every_format() {
     let curve = &found["curves"][0];
     assert_eq!(curve["closed"], json!(true));
     assert_eq!(curve["points"], json!(300));
+    assert_eq!(curve["corners"], json!([]));
     for cubic in curve["cubics"].as_array().unwrap() {
         let [x, y] = [0, 1].map(|k| cubic[0][k].as_f64().unwrap());
         let radius = (x - 100.0).hypot(y - 50.0);

@@ -26,6 +26,9 @@ class FittedCurve:
     closed: bool
     """Whether the last cubic ends where the first starts. A closed curve runs counter-clockwise
     where y points up."""
+    corners: Ints
+    """The position in `cubics` of each cubic that starts at a corner, ascending. Everywhere else
+    the curve is smooth. None for clean points, where straight pieces meet at every joint."""
     count: int
     """How many points belong to it."""
     sigma: Floats
@@ -76,6 +79,7 @@ class Fit:
                 FittedCurve(
                     cubics=cubics[start:end],
                     closed=bool(found["closed"][k]),
+                    corners=np.flatnonzero(found["at_corner"][start:end]),
                     count=int(found["counts"][k]),
                     sigma=found["sigmas"][joints],
                     standard_error=found["standard_errors"][joints],

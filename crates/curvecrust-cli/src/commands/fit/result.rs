@@ -21,6 +21,7 @@ struct CurveObject {
     closed: bool,
     points: usize,
     cubics: Vec<[[f64; 2]; 4]>,
+    corners: Vec<usize>,
     sigma: Vec<f64>,
     standard_error: Vec<f64>,
 }
@@ -78,6 +79,7 @@ fn curve_object(curve: &FittedCurve) -> CurveObject {
             .iter()
             .map(|cubic| cubic.map(|p| p.to_array()))
             .collect(),
+        corners: curve.corners.clone(),
         sigma: curve.sigma.clone(),
         standard_error: curve.standard_error.clone(),
     }
