@@ -9,6 +9,7 @@ mod nearest;
 mod penalty;
 mod spread;
 mod start;
+mod system;
 
 pub(crate) use fit::{Fit, fit};
 pub(crate) use guide::Guide;

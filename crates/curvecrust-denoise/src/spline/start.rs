@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use super::basis::Spline;
-use super::fit::{RIDGE, System};
 use super::guide::Guide;
 use super::knots::Knots;
 use super::penalty::{Penalty, Rough};
+use super::system::{RIDGE, System};
 
 /// Samples of the polyline an interval.
 const DENSITY: usize = 8;

@@ -294,7 +294,7 @@ mod tests {
             "{margins:?}"
         );
         let uncovered = margin(&UNCOVERED);
-        assert!((-0.011..-0.009).contains(&uncovered), "{uncovered}");
+        assert!((-0.008..-0.006).contains(&uncovered), "{uncovered}");
     }
 
     #[test]
