@@ -35,7 +35,7 @@ pub struct Counterexample {
 }
 
 /// Boxes narrower than this, in the unit of the curves, are given up.
-const LEAST: f64 = 2e-5;
+const LEAST: f64 = 4e-6;
 
 /// Where they are.
 fn folder() -> PathBuf {
@@ -56,11 +56,26 @@ pub fn all() -> anyhow::Result<Vec<Counterexample>> {
             .is_some_and(|extension| extension == "splines")
     });
     paths.sort();
-    let read = |path: PathBuf| {
-        let text = fs::read_to_string(&path)?;
-        Counterexample::from_text(&text).with_context(|| path.display().to_string())
-    };
     paths.into_iter().map(read).collect()
+}
+
+/// Two curves of one set of samples, between which no algorithm can tell: four petals, and a
+/// flower. Their algorithm is `two-curves`, which is none.
+///
+/// The samples are on eight rays through the corners of a regular octagon. Outside, both curves
+/// join the rays in the same pairs; inside, in either of the two ways.
+///
+/// # Errors
+/// If a file cannot be read or is none.
+pub fn two_curves() -> anyhow::Result<[Counterexample; 2]> {
+    let file = |name: &str| read(root().join("fixtures/two-curves").join(name));
+    Ok([file("petals.splines")?, file("flower.splines")?])
+}
+
+fn read(path: PathBuf) -> anyhow::Result<Counterexample> {
+    let place = path.display().to_string();
+    let text = fs::read_to_string(path).with_context(|| place.clone())?;
+    Counterexample::from_text(&text).context(place)
 }
 
 impl Counterexample {

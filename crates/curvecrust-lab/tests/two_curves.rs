@@ -1,0 +1,73 @@
+//! Two curves of one set of samples: no algorithm can be right on both.
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
+use curvecrust::DVec2;
+use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
+use curvecrust::reconstruct::{LeastDetour, Reconstructor};
+use curvecrust::sampling::Bound;
+use curvecrust_lab::counterexamples::{Counterexample, two_curves};
+
+/// The edges of the second curve in terms of the samples of the first.
+fn renamed(edges: &EdgeSet, from: &PointSet, to: &PointSet) -> EdgeSet {
+    let same = |id: PointId| {
+        let apart = |other: &usize| to.points()[*other].distance(from[id]);
+        let nearest = (0..to.len())
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            .unwrap();
+        assert!(
+            apart(&nearest) < 1e-12,
+            "a sample of one curve is one of the other"
+        );
+        PointId::new(nearest).unwrap()
+    };
+    let edges = edges.edges().iter();
+    let renamed = edges.map(|edge| Edge::new(same(edge.a()), same(edge.b())).unwrap());
+    EdgeSet::new(to.len(), renamed)
+}
+
+/// `cargo xtask counterexamples` proves the bound of the files, which takes longer.
+#[test]
+fn both_are_sampled_alike() {
+    let [petals, flower] = two_curves().unwrap();
+    for one in [&petals, &flower] {
+        let wider = Counterexample {
+            bound: Bound::Epsilon(0.9),
+            ..one.clone()
+        };
+        assert!(wider.prove().is_ok());
+    }
+    let [one, other] = [&petals, &flower].map(|curve| curve.points().unwrap());
+    let other = renamed(&flower.truth(), &other, &one);
+    let truth = petals.truth();
+    assert_eq!(truth.len(), other.len());
+    assert_eq!(truth.difference(&other).count(), 4);
+    assert_eq!(other.difference(&truth).count(), 4);
+}
+
+/// The margins of the edges that not both curves have.
+fn margins(points: &PointSet, edges: [&EdgeSet; 2]) -> Vec<f64> {
+    let explained = LeastDetour.explain(points, &[]).unwrap().unwrap();
+    let in_doubt = explained.edges.iter().filter(|found| {
+        let [one, other] = edges.map(|edges| edges.contains(found.edge));
+        one != other
+    });
+    in_doubt.map(|found| found.margin.unwrap()).collect()
+}
+
+#[test]
+fn least_detour_says_that_it_is_ambiguous_and_a_nudge_decides() {
+    let [petals, flower] = two_curves().unwrap();
+    let [points, others] = [&petals, &flower].map(|curve| curve.points().unwrap());
+    let truth = petals.truth();
+    let other = renamed(&flower.truth(), &others, &points);
+    let even = margins(&points, [&truth, &other]);
+    assert_eq!(even.len(), 4);
+    assert!(even.iter().all(|margin| margin.abs() < 1e-12), "{even:?}");
+    let mut random = Random::new(1);
+    let mut nudged =
+        |p: &DVec2| *p + 1e-3 * DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+    let nudged = PointSet::new(points.points().iter().map(&mut nudged).collect()).unwrap();
+    let decided = margins(&nudged, [&truth, &other]);
+    assert_eq!(decided.len(), 4);
+    assert!(decided.iter().all(|margin| *margin > 1e-4), "{decided:?}");
+}
