@@ -9,11 +9,13 @@ mod picture;
 mod search;
 mod shape;
 
+use crate::compare::algorithms::named;
+use crate::figure::bounds;
 use crate::root;
 use anyhow::Context;
 use curvecrust::DVec2;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
-use curvecrust::reconstruct::{ALGORITHMS, Reconstructor};
+use curvecrust::geometry::{Component, EdgeSet, PointSet};
+use curvecrust::reconstruct::Reconstructor;
 use curvecrust::sampling::Bound;
 use curvecrust_proof::{ClosedSpline, SampledSplines, SamplingCondition};
 use std::fs;
@@ -127,7 +129,7 @@ impl Counterexample {
     /// # Errors
     /// If there is none of its name.
     pub fn reconstructor(&self) -> anyhow::Result<&'static dyn Reconstructor> {
-        algorithm(&self.algorithm)
+        named(&self.algorithm)
     }
 
     /// The samples, spline by spline.
@@ -179,7 +181,7 @@ impl Counterexample {
     /// Those of [`points`](Self::points).
     pub fn files(&self) -> anyhow::Result<[(String, String); 2]> {
         let points = self.points()?;
-        let [low, high] = bounds(points.points());
+        let (low, high) = bounds(points.points());
         let margin = 0.1 * (high - low).max_element();
         let (from, size) = (low - margin, high - low + 2.0 * margin);
         let view = format!("{:.2} {:.2} {:.2} {:.2}", from.x, from.y, size.x, size.y);
@@ -222,30 +224,15 @@ fn prove(sampled: &SampledSplines, bound: Bound) -> Result<usize, curvecrust_pro
     sampled.prove(condition, bound.value(), LEAST)
 }
 
-/// The algorithm of a name.
-fn algorithm(name: &str) -> anyhow::Result<&'static dyn Reconstructor> {
-    let mut known = ALGORITHMS.iter().copied();
-    let named = known.find(|algorithm| algorithm.info().name == name);
-    named.with_context(|| format!("no algorithm {name}"))
-}
-
-/// The corners of the smallest box about points.
-fn bounds(points: &[DVec2]) -> [DVec2; 2] {
-    let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-    let grow = |[low, high]: [DVec2; 2], p: &DVec2| [low.min(*p), high.max(*p)];
-    points.iter().fold(none, grow)
-}
-
 /// Polygons of so many points each, which follow each other.
 fn polygons(counts: &[usize]) -> EdgeSet {
     let mut edges = Vec::new();
     let mut first = 0;
     for count in counts {
-        let end = first + count;
-        let next = |i: usize| if i + 1 < end { i + 1 } else { first };
-        let ids = (first..end).map(|i| [i, next(i)].map(PointId::new));
-        edges.extend(ids.filter_map(|[a, b]| Edge::new(a?, b?)));
-        first = end;
+        let range = first..first + count;
+        first = range.end;
+        let closed = true;
+        edges.extend(Component { range, closed }.edges());
     }
     EdgeSet::new(first, edges)
 }

@@ -234,8 +234,7 @@ impl Panel {
             _ => Vec::new(),
         });
         self.frame.unwrap_or_else(|| {
-            let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-            let [low, high] = framed.fold(none, |[low, high], p| [low.min(p), high.max(p)]);
+            let (low, high) = bounds(&framed.collect::<Vec<_>>());
             if low.cmple(high).all() {
                 [low, high]
             } else {
@@ -243,6 +242,13 @@ impl Panel {
             }
         })
     }
+}
+
+/// The lowest and the highest coordinates of points; infinite and in the wrong order without any.
+pub(crate) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let grow = |(low, high): (DVec2, DVec2), &p: &DVec2| (low.min(p), high.max(p));
+    points.iter().fold(none, grow)
 }
 
 #[cfg(test)]

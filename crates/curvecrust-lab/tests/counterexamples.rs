@@ -91,7 +91,7 @@ fn touching_balls_agree() {
         let per_segment = (10_000 / segments).next_power_of_two();
         let dense = Dense::new(&control, per_segment).unwrap();
         let nearest = |(component, (segment, at)): (usize, (usize, f64))| {
-            let first = dense.components()[component].start + segment * per_segment;
+            let first = dense.components()[component].range.start + segment * per_segment;
             let parameter = |i: &usize| *i as f64 / per_segment as f64;
             let step = (0..per_segment).rfind(|i| parameter(i) <= at).unwrap();
             first + step

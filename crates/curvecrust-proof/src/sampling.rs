@@ -54,13 +54,14 @@ impl SampledSplines {
         least: f64,
     ) -> Result<usize, Undecided> {
         let pieces = self.pieces();
+        let ends = self.ends();
         let farthest = match condition {
             SamplingCondition::Epsilon => None,
-            SamplingCondition::Rho => Some(self.farthest(&pieces)),
+            SamplingCondition::Rho => Some(self.farthest(&pieces, &ends)),
         };
         let proof = Proof {
             sampled: self,
-            ends: self.ends(),
+            ends,
             farthest,
             bound: Interval::point(bound),
             least: Interval::point(least),
@@ -132,22 +133,21 @@ impl SampledSplines {
     }
 
     /// For each interval, an upper bound of the distance of its points from the nearer end.
-    fn farthest(&self, pieces: &[Piece]) -> Vec<Interval> {
-        let ends = self.ends();
+    fn farthest(&self, pieces: &[Piece], ends: &[[Vector; 2]]) -> Vec<Interval> {
         let mut farthest = vec![Interval::point(0.0); ends.len()];
         let mut open = pieces.to_vec();
         for _ in 0..FINENESS {
             for piece in &open {
                 let known = &mut farthest[piece.between];
-                *known = known.max(nearer(piece, &ends).lower());
+                *known = known.max(nearer(piece, ends).lower());
             }
-            open.retain(|piece| !nearer(piece, &ends).is_below(farthest[piece.between]));
+            open.retain(|piece| !nearer(piece, ends).is_below(farthest[piece.between]));
             let halves = open.iter().flat_map(|piece| self.halves(piece));
             open = halves.collect();
         }
         for piece in &open {
             let known = &mut farthest[piece.between];
-            *known = known.max(nearer(piece, &ends));
+            *known = known.max(nearer(piece, ends));
         }
         farthest.into_iter().map(Interval::upper).collect()
     }

@@ -11,7 +11,7 @@ pub fn names() -> Vec<&'static str> {
 }
 
 /// The algorithm of a name.
-pub(super) fn named(name: &str) -> anyhow::Result<&'static dyn Reconstructor> {
+pub(crate) fn named(name: &str) -> anyhow::Result<&'static dyn Reconstructor> {
     let mut all = ALGORITHMS.iter().copied();
     let Some(found) = all.find(|algorithm| algorithm.info().name == name) else {
         bail!(

@@ -1,22 +1,22 @@
 //! Dense points of closed splines, with exact normals, and lfs by the balls that touch there.
 
 use curvecrust::DVec2;
+use curvecrust::geometry::Component;
 use curvecrust::sampling::Bound;
-use std::ops::Range;
 
 /// Dense points of closed splines.
 #[derive(Clone, Debug)]
 pub struct Dense {
     points: Vec<DVec2>,
-    components: Vec<Range<usize>>,
+    components: Vec<Component>,
     lfs: Vec<f64>,
     per_segment: usize,
 }
 
 /// Consecutive dense points of a component, which goes round.
-pub(super) struct Stretch {
-    pub(super) component: Range<usize>,
-    /// The first one, counted from the start of the component.
+pub(super) struct Stretch<'a> {
+    pub(super) component: &'a Component,
+    /// The first one.
     pub(super) first: usize,
     /// How many steps to the last one.
     pub(super) length: usize,
@@ -41,7 +41,9 @@ impl Dense {
                 points.push(place);
                 normals.push(velocity.try_normalize()?.perp());
             }
-            components.push(first..points.len());
+            let range = first..points.len();
+            let closed = true;
+            components.push(Component { range, closed });
         }
         let centres = centres(&points, &normals);
         let lfs = points.iter().map(|p| nearest(*p, &centres)).collect();
@@ -61,17 +63,14 @@ impl Dense {
 
     /// Which points belong to each spline.
     #[must_use]
-    pub fn components(&self) -> &[Range<usize>] {
+    pub fn components(&self) -> &[Component] {
         &self.components
     }
 
     /// Whether dense points are much nearer to each other than to the medial axis.
     pub(super) fn is_fine(&self) -> bool {
         let limit = 4.0 / self.per_segment as f64;
-        let mut gaps = self.components.iter().flat_map(|component| {
-            let next = component.clone().skip(1).chain([component.start]);
-            component.clone().zip(next)
-        });
+        let mut gaps = self.components.iter().flat_map(Component::pairs);
         gaps.all(|(i, j)| {
             let gap = self.points[i].distance(self.points[j]);
             gap <= limit * self.lfs[i].min(self.lfs[j])
@@ -80,7 +79,7 @@ impl Dense {
 
     /// The segment of a dense point, and the parameter in it.
     pub(super) fn parameter(&self, component: usize, point: usize) -> (usize, f64) {
-        let i = point - self.components[component].start;
+        let i = point - self.components[component].range.start;
         let at = (i % self.per_segment) as f64 / self.per_segment as f64;
         (i / self.per_segment, at)
     }
@@ -91,15 +90,11 @@ impl Dense {
         let mut most = 0.0_f64;
         for (component, placed) in self.components.iter().zip(samples) {
             let next = placed.iter().skip(1).chain(placed.first());
-            for (from, to) in placed.iter().zip(next) {
-                let count = component.len();
-                let length = (to + count - from - 1) % count + 1;
-                let first = from - component.start;
-                let component = component.clone();
+            for (&first, &to) in placed.iter().zip(next) {
                 let stretch = Stretch {
                     component,
                     first,
-                    length,
+                    length: component.steps(first, to),
                 };
                 most = most.max(self.attained_on(&stretch, kind));
             }
@@ -108,17 +103,17 @@ impl Dense {
     }
 
     /// Whether the ends of a stretch suffice for its points.
-    pub(super) fn holds(&self, stretch: &Stretch, bound: Bound) -> bool {
+    pub(super) fn holds(&self, stretch: &Stretch<'_>, bound: Bound) -> bool {
         self.attained_on(stretch, bound) < bound.value()
     }
 
-    fn attained_on(&self, stretch: &Stretch, kind: Bound) -> f64 {
+    fn attained_on(&self, stretch: &Stretch<'_>, kind: Bound) -> f64 {
         let Stretch {
             component,
             first,
             length,
         } = stretch;
-        let at = |i: usize| component.start + (first + i) % component.len();
+        let at = |i: usize| component.after(*first, i);
         let (from, to) = (self.points[at(0)], self.points[at(*length)]);
         let inside = (0..=*length).map(at).map(|i| {
             let p = self.points[i];

@@ -3,7 +3,7 @@
 use super::{Counterexample, Dense, all};
 use crate::figure::{Figure, Layer, Panel, Polyline};
 use curvecrust::DVec2;
-use curvecrust::geometry::Segment;
+use curvecrust::geometry::{Component, Segment};
 
 /// Dense points of a segment, for pictures.
 const PER_SEGMENT: usize = 12;
@@ -68,7 +68,9 @@ fn curves(control: &[Vec<DVec2>]) -> Vec<Polyline> {
     let Some(dense) = Dense::new(control, PER_SEGMENT) else {
         return Vec::new();
     };
-    let polygon =
-        |component: &std::ops::Range<usize>| (dense.points()[component.clone()].to_vec(), true);
+    let polygon = |component: &Component| {
+        let points = dense.points()[component.range.clone()].to_vec();
+        (points, component.closed)
+    };
     dense.components().iter().map(polygon).collect()
 }

@@ -1,8 +1,9 @@
 //! The search for curves and samples on which an algorithm fails.
 
+use crate::compare::algorithms::named;
 use crate::counterexamples::dense::Dense;
 use crate::counterexamples::shape::Shape;
-use crate::counterexamples::{Counterexample, algorithm, polygons, prove, sampled};
+use crate::counterexamples::{Counterexample, polygons, prove, sampled};
 use anyhow::Context;
 use curvecrust::geometry::{PointSet, Random};
 use curvecrust::reconstruct::Reconstructor;
@@ -54,7 +55,7 @@ impl Search<'_> {
     pub fn run(&self) -> anyhow::Result<Option<Counterexample>> {
         let run = Run {
             search: *self,
-            algorithm: algorithm(self.algorithm)?,
+            algorithm: named(self.algorithm)?,
         };
         let Some(Found { bound, shape }) = run.best() else {
             return Ok(None);

@@ -92,7 +92,7 @@ impl Shape {
             } else {
                 0.0
             };
-            let first = part(start, count) % count;
+            let first = component.range.start + part(start, count) % count;
             let share = |step: usize| match index {
                 0 => self.steps.get(step).copied().unwrap_or(OTHER_STEPS),
                 _ => STEPS_OF_RINGS,
@@ -100,10 +100,11 @@ impl Shape {
             let mut placed = Vec::new();
             let mut at = 0;
             loop {
-                placed.push(component.start + (first + at) % count);
+                let first = component.after(first, at);
+                placed.push(first);
                 let stretch = |length| Stretch {
-                    component: component.clone(),
-                    first: first + at,
+                    component,
+                    first,
                     length,
                 };
                 let longest = longest(count - at, |length| dense.holds(&stretch(length), bound))?;

@@ -6,6 +6,7 @@ pub(super) use things::THINGS;
 
 use std::f64::consts::{PI, TAU};
 
+use crate::figure::bounds;
 use curvecrust::curve::DenseCurve;
 use curvecrust::geometry::{Component, DVec2, Random};
 use curvecrust_testing::fixtures;
@@ -102,13 +103,6 @@ fn fourier(seed: u64, terms: i32) -> Truth {
             return truth;
         }
     }
-}
-
-pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
-    let fold = |(low, high): (DVec2, DVec2), &p: &DVec2| (low.min(p), high.max(p));
-    points
-        .iter()
-        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), fold)
 }
 
 /// A drawing of the fixtures, its larger extent 2.

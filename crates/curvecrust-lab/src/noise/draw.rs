@@ -5,9 +5,10 @@ use curvecrust::denoise::Fitted;
 use curvecrust::geometry::DVec2;
 use svg::node::element::path::Data;
 
-use super::curves::{Truth, bounds};
+use super::curves::Truth;
 use super::sample::Sample;
 use crate::drawing::{Within, circle, document, path, polyline};
+use crate::figure::bounds;
 
 /// The larger side of the data, and what is around them, in pixels.
 const SIZE: f64 = 600.0;

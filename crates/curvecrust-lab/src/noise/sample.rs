@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use curvecrust::geometry::{DVec2, Random};
 
-use super::curves::{Truth, bounds, length, measured, place};
+use super::curves::{Truth, length, measured, place};
+use crate::figure::bounds;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Density {
