@@ -2,7 +2,6 @@
 
 use std::num::NonZeroU32;
 
-use curvecrust_geometry::Similarity;
 use curvecrust_reconstruct::{Known, Shape};
 
 use crate::band::{Rule, Search, Windows, band};
@@ -43,16 +42,16 @@ struct Candidate {
     in_band: Vec<bool>,
 }
 
-/// The model of the best score, and which points its band holds; `None` if there is no curve.
+/// The model of the best score, and which points its band holds; `None` if there is no curve. What
+/// is known of sigma is in the unit of the windows.
 pub(crate) fn best(
     all: &Windows,
-    to_unit: Similarity,
+    sigma: Option<f64>,
     options: &Options,
 ) -> Option<(Model, Vec<bool>)> {
-    let scale = 1.0 / to_unit.invert_length(1.0);
     let trial = Trial {
         all,
-        sigma: options.sigma.map(|sigma| sigma * scale),
+        sigma,
         options,
     };
     let mut found = trial.sieved();

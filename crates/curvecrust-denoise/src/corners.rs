@@ -38,6 +38,13 @@ struct Corner {
     at: DVec2,
 }
 
+impl Corner {
+    fn of(arc: &Arc, parameter: f64) -> Self {
+        let at = meeting(arc, parameter);
+        Self { parameter, at }
+    }
+}
+
 /// The model with corners where these raise its score.
 pub(crate) fn cornered(points: &[DVec2], mut best: Model, sigma: Option<f64>) -> Model {
     for k in 0..best.arcs.len() {
@@ -160,11 +167,8 @@ fn whole(fit: Fit) -> Arc {
 
 /// The creases of an arc, and where the tangents beside them meet.
 fn creases(arc: &Arc) -> Vec<Corner> {
-    let corner = |&crease: &usize| Corner {
-        parameter: crease as f64,
-        at: meeting(arc, crease as f64),
-    };
-    arc.fit.spline.creases().iter().map(corner).collect()
+    let creases = arc.fit.spline.creases().iter();
+    creases.map(|&k| Corner::of(arc, k as f64)).collect()
 }
 
 /// The angle by which a fit turns at each of its creases.
@@ -216,11 +220,7 @@ fn suspects(arc: &Arc) -> Vec<Corner> {
         }
     }
     taken.sort_by(f64::total_cmp);
-    let corner = |parameter| Corner {
-        parameter,
-        at: meeting(arc, parameter),
-    };
-    taken.into_iter().map(corner).collect()
+    taken.into_iter().map(|t| Corner::of(arc, t)).collect()
 }
 
 /// Where the tangents meet that touch an arc before and after a place; the place itself if they

@@ -83,7 +83,9 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
         return Ok(convert::clean(points, &all, edges));
     }
     let frame = Frame::new(sorted);
-    let found = best(&frame.all, frame.to_unit, options);
+    let scale = 1.0 / frame.to_unit.invert_length(1.0);
+    let sigma = options.sigma.map(|sigma| sigma * scale);
+    let found = best(&frame.all, sigma, options);
     let stays = match &found {
         Some((model, band)) => (is_clean || may_be_clean && frame.is_clean(band))
             .then(|| clean::on_curves(&frame.all.points, band, model)),
@@ -92,11 +94,7 @@ pub fn denoise_with(points: &PointSet, options: &Options) -> Result<Fitted, Deno
     if let Some(stays) = stays.flatten() {
         return frame.clean(points, &stays, options);
     }
-    let model = found.map(|(model, _)| {
-        let scale = 1.0 / frame.to_unit.invert_length(1.0);
-        let sigma = options.sigma.map(|sigma| sigma * scale);
-        cornered(&frame.all.points, model, sigma)
-    });
+    let model = found.map(|(model, _)| cornered(&frame.all.points, model, sigma));
     let count = points.len();
     Ok(convert::noisy(
         count,
