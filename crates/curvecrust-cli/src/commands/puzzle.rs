@@ -5,6 +5,7 @@ use super::curve_source::CurveSource;
 use crate::args::{self, Distance};
 use crate::console::Console;
 use crate::format::Format;
+use crate::number::counted;
 use crate::output::{Layer, Number, Picture, Results};
 use curvecrust::DVec2;
 use curvecrust::geometry::point_set::by_coordinates;
@@ -80,16 +81,16 @@ impl Job {
         });
         let puzzle = puzzle.map_err(|error| self.curve.named(error))?;
         let dots = shuffled(&puzzle.dots)?;
-        let object = || object(&dots, puzzle.margin(), max_distance);
+        let object = object(&dots, puzzle.margin(), max_distance);
         if let Some(output) = &self.results.output {
             match output.format {
                 Format::Csv => output.write(|out| write_csv(out, &dots))?,
-                Format::Json => output.write_json(&object())?,
+                Format::Json => output.write_json(&object)?,
                 _ => output.write(|out| self.picture(&dots).write(out))?,
             }
         }
-        self.results.print_json(|| Ok(object()))?;
-        tell(&object(), console);
+        self.results.print_json(|| Ok(&object))?;
+        tell(&object, console);
         Ok(Outcome::Fine)
     }
 
@@ -114,14 +115,8 @@ fn shuffled(dots: &Dots) -> anyhow::Result<Dots> {
 }
 
 fn tell(object: &Object, console: &Console) {
-    let dots = match object.count {
-        1 => "1 dot",
-        count => &format!("{count} dots"),
-    };
-    let colours = match object.colours {
-        1 => "1 colour",
-        count => &format!("{count} colours"),
-    };
+    let dots = counted(object.count, "dot");
+    let colours = counted(object.colours, "colour");
     let several = match object.several {
         0 => "",
         1 => ", 1 of them with two colours",

@@ -62,7 +62,10 @@ pub(super) fn read(source: Source, wanted: &Wanted) -> Result<PointList, Flaw> {
 
 /// Whether this is the head of a LAZ file: the format of its points says so.
 fn is_packed(head: &[u8]) -> bool {
-    head.starts_with(b"LASF") && head.get(104).is_some_and(|format| format & 0xc0 != 0)
+    head.starts_with(b"LASF")
+        && head
+            .get(104)
+            .is_some_and(|format| u64::from(*format) & bounds::PACKED != 0)
 }
 
 /// Takes what is in the file, part by part.

@@ -2,6 +2,7 @@
 
 use super::BarePoints;
 use crate::commands::reconstruct::polygons::{Ring, first_columns, rings};
+use crate::number::counted;
 use crate::output::{Attribute, Attributes, Feature, Kind, Number, Places, Shape, Streamed};
 use curvecrust::denoise::{Fitted, FittedCurve};
 use curvecrust::geometry::{Edge, EdgeSet, MergedPoints, PointId, PointSet};
@@ -113,10 +114,7 @@ impl fmt::Display for Summary<'_> {
         }
         let closed = fitted.curves.iter().filter(|curve| curve.closed).count();
         let open = fitted.curves.len() - closed;
-        let outside = match outliers {
-            1 => "1 outlier".to_owned(),
-            _ => format!("{outliers} outliers"),
-        };
+        let outside = counted(outliers, "outlier");
         write!(
             f,
             "{count} points, {outside}: {closed} closed and {open} open "

@@ -1,6 +1,7 @@
 //! A summary of a reconstruction in one line, for which its edges need no order.
 
 use super::BarePoints;
+use crate::number::counted;
 use curvecrust::geometry::{EdgeSet, PointId};
 use std::fmt;
 
@@ -66,15 +67,6 @@ impl fmt::Display for Summary {
             write!(f, ", {}", counted(self.junctions, "junction"))?;
         }
         write!(f, ", {}", counted(self.violations(), "violation"))
-    }
-}
-
-/// A number with its noun.
-fn counted(count: usize, noun: &str) -> String {
-    match (count, noun) {
-        (1, _) => format!("1 {noun}"),
-        (_, "leaf") => format!("{count} leaves"),
-        _ => format!("{count} {noun}s"),
     }
 }
 

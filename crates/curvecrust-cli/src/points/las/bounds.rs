@@ -19,6 +19,9 @@ pub(super) struct Promise {
     pub(super) record: u64,
 }
 
+/// The bits of the format of points, in byte 104, that packed ones have.
+pub(super) const PACKED: u64 = 0xc0;
+
 /// The fields of a header, at the places where they are in all versions that have them.
 /// <https://www.asprs.org/wp-content/uploads/2019/07/LAS_1_4_r15.pdf>
 struct Fields {
@@ -54,7 +57,7 @@ pub(super) fn check(source: &mut Seekable) -> Result<Promise, Flaw> {
     }
     let is_new = fields.number::<1>(25) >= 4;
     let (start, format) = (fields.number::<4>(96), fields.number::<1>(104));
-    let (is_packed, record) = (format & 0xc0 != 0, fields.number::<2>(105));
+    let (is_packed, record) = (format & PACKED != 0, fields.number::<2>(105));
     let points = match (fields.number::<4>(107), is_new) {
         (0, true) => fields.number::<8>(247),
         (points, _) => points,
