@@ -79,7 +79,7 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     } else {
         ""
     };
-    let told = match (entry.honours_known, entry.honours_termini) {
+    let options = match (entry.honours_known, entry.honours_termini) {
         (true, true) => "; takes --closed, --open, --curves and --terminus",
         (true, false) => "; takes --closed, --open and --curves",
         (false, true) => "; takes --terminus",
@@ -88,5 +88,5 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     writeln!(out, "{}", entry.name)?;
     writeln!(out, "    {}{argued}", entry.citation)?;
     writeln!(out, "    for curves: {}", info.scope)?;
-    writeln!(out, "    {guarantees}; {}{told}", entry.cost)
+    writeln!(out, "    {guarantees}; {}{options}", entry.cost)
 }

@@ -41,7 +41,7 @@ impl Job {
         Ok(Self {
             results: Results::new(args.output, args.json, GEOMETRIES)?,
             points: args.points.into(),
-            options: args.told.into(),
+            options: args.known.into(),
             tolerance: args.tolerance,
             inliers: inliers.transpose()?,
         })
