@@ -1,5 +1,5 @@
 //! How the time of the local feature size grows with drawings that repeat something: for each of
-//! them the time for so many dense points and for four times as many, the exponent of its growth,
+//! them the time for a number of dense points and for four times as many, the exponent of its growth,
 //! and the time as a multiple of that for one smooth curve. The first argument is the larger number
 //! of dense points, 100,000 if there is none; the second, if any, part of the name of the drawings
 //! to run. One thread; the fastest of three runs.

@@ -42,8 +42,8 @@ impl Gaps {
         others.to_lfs / self.to_lfs
     }
 
-    /// What is allowed on a curve that is so many times lfs long: as much as makes few points of
-    /// it.
+    /// The gap that is allowed on a curve whose length is `length_to_lfs` times lfs: large enough
+    /// to make few points of it.
     pub(crate) fn allowed(self, length_to_lfs: f64) -> f64 {
         (length_to_lfs / MANY).max(self.to_lfs).min(self.of_many)
     }

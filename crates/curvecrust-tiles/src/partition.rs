@@ -58,8 +58,8 @@ impl Axis {
 }
 
 impl Partition {
-    /// Cells for about equal shares of some points, which stand for all: so many cells, or fewer
-    /// where points do not differ. Points that are not finite are left out.
+    /// Cells for about equal shares of some points, which stand for all: as many cells as asked
+    /// for, or fewer where points do not differ. Points that are not finite are left out.
     ///
     /// ```
     /// use curvecrust_geometry::DVec2;
@@ -83,7 +83,7 @@ impl Partition {
     }
 
     /// The partition of some cuts, as [`cuts`](Self::cuts) returns them. Where they end early,
-    /// what is left is cells.
+    /// the rest becomes cells.
     #[must_use]
     pub fn from_cuts(cuts: &[Option<Cut>]) -> Self {
         let mut partition = Self {

@@ -107,7 +107,7 @@ impl Layer {
     }
 }
 
-/// Bytes of the tree over the features, whose nodes have so many children.
+/// Bytes of the tree over the features, whose nodes have `node` children each.
 fn tree(features: u64, node: u16) -> Option<u64> {
     let (mut level, mut nodes) = (features, features);
     if node == 0 || features == 0 {

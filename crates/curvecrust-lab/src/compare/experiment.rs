@@ -153,7 +153,7 @@ pub(super) enum Kind {
     Authors,
 }
 
-/// Whether algorithms that can use them are told the ends of open curves.
+/// Whether algorithms that can use the ends of open curves get them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Ends {

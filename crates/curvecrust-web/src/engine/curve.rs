@@ -174,8 +174,8 @@ impl Loaded {
     }
 }
 
-/// The local feature size of a curve; of what is left of it when it is cut where strokes touch or
-/// cross, if they do, and how many places these are.
+/// The local feature size of a curve, which is cut where strokes touch or cross, and the number of
+/// such places.
 fn measured(split: SplitCurve) -> Result<(SplitCurve, usize, MeasuredCurve), Error> {
     let touching = match measure_pieces(&split) {
         Ok(pieces) => return Ok((split, 0, pieces)),
