@@ -208,7 +208,7 @@ impl fmt::Display for Scope {
 pub enum Basis {
     /// From the publication.
     Published,
-    /// From what others wrote of the publication, which could not be had: its idea is kept,
+    /// From what others wrote of the publication, which was not available: its idea is kept,
     /// constants and order of steps may differ.
     Argued,
 }

@@ -31,7 +31,7 @@
 //! | [`sig-connect2d`] | Marin, Ohrhallinger, Wimmer: SIGDT: 2D Curve Reconstruction. Pacific Graphics 2022 (argued) | none known | closed, several, corners | O(n log n) | nothing |
 //! | [`shortest-tour`] | Giesen: Curve Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length. SoCG 1999 | none known | closed, corners | O(n log n) and a search | shape, number |
 //!
-//! Argued: the publication could not be had, and the definition follows what others wrote of it.
+//! Argued: the publication was not available, and the definition follows what others wrote of it.
 //! Each module says what is sure of it.
 //!
 //! [`least-detour`]: mod@least_detour

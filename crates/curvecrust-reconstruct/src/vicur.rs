@@ -1,6 +1,6 @@
 //! VICUR-like: after T. A. Nguyen, Y. Zeng, "VICUR: A Human-Vision-Based Algorithm for Curve
 //! Reconstruction", Robotics and Computer-Integrated Manufacturing 24(6), 2008. Its text and its
-//! constants could not be had: this is a sketch of its idea.
+//! constants were not available: this is a sketch of its idea.
 //!
 //! As in [DISCUR](mod@crate::discur), curves grow at their ends; but an end chooses its partner
 //! by proximity and by how smoothly the curve goes on. Let the edges of a curve have mean h and

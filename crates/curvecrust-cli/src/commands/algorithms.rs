@@ -75,7 +75,7 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
         ),
     };
     let argued = if entry.argued {
-        ". The definition is argued: the publication could not be had"
+        ". The definition is argued: the publication was not available"
     } else {
         ""
     };

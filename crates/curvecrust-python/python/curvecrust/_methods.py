@@ -26,7 +26,7 @@ class Method:
     made_for: str
     """The kinds of curves that it is made for, such as 'closed, several'."""
     argued: bool
-    """Whether its definition follows what others wrote of a publication that could not be had."""
+    """Whether its definition follows what others wrote of a publication that was not available."""
 
 
 def methods() -> list[Method]:
