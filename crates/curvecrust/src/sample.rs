@@ -8,8 +8,8 @@ use crate::sampling::{Condition, SampledCurve, sample_curve};
 ///
 /// Every point of the curve between two consecutive samples is nearer to one of them than rho times
 /// the smallest local feature size between them (SGP 2016, Definition 3). This is certified for the
-/// whole curve, not only for some of its points. The samples are in order along each component; both
-/// ends of an open component are samples.
+/// whole curve, not only for some of its points. The samples are in order along each component;
+/// both ends of an open component are samples.
 ///
 /// From the samples of closed curves, [HNN-Crust] returns exactly the polygon in curve order. This
 /// project proves it for rho below 0.888; the paper claims it for rho below 0.9, but there are

@@ -92,7 +92,8 @@ impl Dense {
         }
     }
 
-    /// The distance along the stroke from a point to the nearer end; infinite if the stroke is closed.
+    /// The distance along the stroke from a point to the nearer end; infinite if the stroke is
+    /// closed.
     fn to_end(&self, i: usize) -> f64 {
         if self.closed {
             f64::INFINITY

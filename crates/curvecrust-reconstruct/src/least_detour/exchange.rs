@@ -4,10 +4,10 @@
 //!
 //! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on;
 //! t2i is its end. They continue a path while its gain, the cost of removed edges less that of
-//! added ones, is positive. Here the next removal counts too: a long edge in the place of two others would not be
-//! found otherwise. And since a bend depends on two edges, a path whose ends seek partners has not
-//! paid for the bends there yet: what the best partners would cost counts too.
-//! The cost of a path is what it adds to the cost of the matching: minus its gain.
+//! added ones, is positive. Here the next removal counts too: a long edge in the place of two
+//! others would not be found otherwise. And since a bend depends on two edges, a path whose ends
+//! seek partners has not paid for the bends there yet: what the best partners would cost counts
+//! too. The cost of a path is what it adds to the cost of the matching: minus its gain.
 
 use std::ops::Range;
 

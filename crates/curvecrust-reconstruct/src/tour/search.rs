@@ -20,8 +20,8 @@ const LONGEST_PATH: usize = 10;
 /// Up to this number of gaps, each point is tried at the end beside one.
 const MOST_GAPS: usize = 8;
 
-/// An exchange that costs more, to be made good by others, moves at most this many vertices. In tours
-/// of twice as many, none moves more.
+/// An exchange that costs more, to be made good by others, moves at most this many vertices. In
+/// tours of twice as many, none moves more.
 const MOST_MOVED: usize = 1_000;
 
 /// Perturbations for each vertex, and their number for any tour.
