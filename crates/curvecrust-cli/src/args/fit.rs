@@ -8,8 +8,8 @@ use std::path::PathBuf;
 
 /// Fit smooth curves to points that scatter about them, some of which belong to none
 ///
-/// Nothing has to be known: how far points scatter, which of them are outliers and how many curves
-/// there are is found. Points that do not scatter are joined as by `reconstruct`.
+/// It needs no parameter: it estimates how far points scatter, which of them are outliers and how
+/// many curves there are. Points that do not scatter are joined as by `reconstruct`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples: smooth curves of a noisy scan as cubic Béziers; the same as lines for a map, and the points
