@@ -2,8 +2,8 @@
 
 use crate::error::MedialAxisError;
 
-/// The medial axis is computed from fewer points: their gaps may be this many times as long as those
-/// of the dense points,
+/// The medial axis is computed from fewer points: their gaps may be this many times as long as
+/// those of the dense points,
 const AXIS_GAPS: f64 = 4.0;
 /// but at most this fraction of lfs: the error of the axis falls with the square of the gap.
 const AXIS_RATIO: f64 = 0.05;

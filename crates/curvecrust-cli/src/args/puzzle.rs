@@ -5,8 +5,8 @@ use super::{Curve, Distance, Output};
 
 /// Make a connect-the-closest-dot puzzle of the curves of an SVG
 ///
-/// Each dot has one colour or more. To solve the puzzle, join each dot with the closest other dot of
-/// its colour, and a dot of several colours once for each of them. That draws the curves again.
+/// Each dot has one colour or more. To solve the puzzle, join each dot with the closest other dot
+/// of its colour, and a dot of several colours once for each of them. That draws the curves again.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples: a puzzle and its solution; the dots as a table of x, y and colours
