@@ -83,7 +83,7 @@ pub(crate) fn gap_ahead() -> anyhow::Result<Figure> {
         columns: 2,
         panels: vec![
             marked("Least detour", &points, &least_detour(&points)),
-            marked("The same, told the ends", &points, &with_ends),
+            marked("The same, with the ends given", &points, &with_ends),
         ],
     })
 }
