@@ -56,7 +56,7 @@ pub fn rows(sizes: Sizes) -> Result<Vec<Row>, PointSetError> {
     Ok(rows)
 }
 
-/// The largest square grid of integers with at most so many points.
+/// The largest square grid of integers with at most `count` points.
 fn grid(count: usize) -> Result<PointSet, PointSetError> {
     let fits = |n: u32| (n as usize).pow(2) <= count;
     let side = (1u32..).take_while(|&n| fits(n)).last().unwrap_or(0);

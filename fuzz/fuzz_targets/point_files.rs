@@ -4,7 +4,7 @@
 
 use libfuzzer_sys::fuzz_target;
 
-/// The last has none: it is guessed.
+/// The last one is empty: there the format is guessed.
 const EXTENSIONS: [&str; 17] = [
     "csv", "xy", "json", "geojson", "npy", "svg", "wkt", "gpx", "kml", "npz", "ply", "wkb", "shp",
     "las", "fgb", "parquet", "",
@@ -16,7 +16,7 @@ const LEAST: usize = 4 << 20;
 
 /// Whether this is LAZ: `laz` 0.13 calls itself once for each sequence of GPS times that a point
 /// switches to, and damaged data switch without end, until the stack is full. The program has a
-/// process of its own for that, and a fuzz target has none.
+/// process of its own for that, which a fuzz target cannot start.
 fn is_compressed_scan(bytes: &[u8]) -> bool {
     bytes.starts_with(b"LASF") && bytes.get(104).is_some_and(|format| format & 0x80 != 0)
 }

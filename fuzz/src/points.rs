@@ -5,7 +5,7 @@ use std::fmt;
 use arbitrary::{Arbitrary, Result, Unstructured};
 use curvecrust::DVec2;
 
-/// At most so many points: what is wrong with an algorithm shows in few.
+/// The most points: an error of an algorithm shows in few.
 const MOST: usize = 120;
 
 /// Points on which exact decisions, ties and scales matter; some may be equal, or no number.

@@ -25,7 +25,6 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(root()).args([
         "run",
-        "--quiet",
         "--release",
         "--package",
         "curvecrust-benches",

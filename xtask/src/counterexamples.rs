@@ -54,14 +54,14 @@ fn check() -> anyhow::Result<ExitCode> {
     let mut wrong = false;
     for one in all()? {
         let start = Instant::now();
-        let fails = one.reconstructor()?.reconstruct(&one.points()?) != one.truth();
-        let proven = one.prove();
+        let fails = one.reconstructor()?.reconstruct(&one.samples.points()?) != one.samples.truth();
+        let proven = one.samples.prove();
         let says = match &proven {
             Ok(boxes) if fails => format!("proven with {boxes} boxes, and it fails"),
             Ok(_) => "the algorithm is right".to_owned(),
             Err(why) => why.to_string(),
         };
-        let (name, bound) = (one.name(), one.bound.value());
+        let (name, bound) = (one.name(), one.samples.bound.value());
         let seconds = start.elapsed().as_secs_f64();
         println!("{name:<24} < {bound:<6} {says}, {seconds:.1} s");
         wrong |= !fails || proven.is_err();
@@ -80,10 +80,10 @@ fn check() -> anyhow::Result<ExitCode> {
 
 /// Writes what was found if it is better than what is there.
 fn keep(found: &Counterexample) -> anyhow::Result<()> {
-    let (name, bound) = (found.name(), found.bound.value());
+    let (name, bound) = (found.name(), found.samples.bound.value());
     println!("{name} < {bound}");
     let known = all()?.into_iter().find(|one| one.name() == name);
-    match known.map(|one| one.bound.value()) {
+    match known.map(|one| one.samples.bound.value()) {
         Some(known) if known <= bound => println!("the known one has {known}"),
         _ => {
             let file = format!("fixtures/counterexamples/{name}.splines");

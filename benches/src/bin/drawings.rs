@@ -1,8 +1,9 @@
-//! How the time of the local feature size grows with drawings that repeat something: for each of
-//! them the time for so many dense points and for four times as many, the exponent of its growth,
-//! and the time as a multiple of that for one smooth curve. The first argument is the larger number
-//! of dense points, 100,000 if there is none; the second, if any, part of the name of the drawings
-//! to run. One thread; the fastest of three runs.
+//! How the time of the local feature size grows with drawings that repeat something.
+//!
+//! Each drawing is measured with a number of dense points and with a quarter of it. The table has
+//! the exponent of growth, and the time as a multiple of that for one smooth curve. The first
+//! argument is the number of dense points, by default 100,000. The second one is a part of the
+//! names of drawings to run; by default all run. One thread; the fastest of three runs.
 
 #![allow(clippy::print_stdout, reason = "a program for a terminal")]
 

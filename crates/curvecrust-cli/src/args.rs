@@ -182,7 +182,7 @@ pub(crate) struct MedialAxis {
     pub(crate) json: bool,
 }
 
-/// Draw a curve, its medial axis, points and what is found from them, over each other
+/// Draw a curve, its medial axis, points and their reconstruction, over each other
 #[derive(Debug, clap::Args)]
 #[command(
     group(ArgGroup::new("what").args(["curve", "points"]).required(true).multiple(true)),
@@ -217,7 +217,7 @@ pub(crate) struct Draw {
         value_parser = algorithm()
     )]
     pub(crate) edges: Option<Algorithm>,
-    /// Show in colours why edges are there, and what was rejected at open ends
+    /// Colour edges by the reasons for them, and show rejected partners of open ends
     #[arg(long, requires = "edges")]
     pub(crate) why: bool,
     /// Smooth curves fitted to the points, which may scatter: see `curvecrust fit`
@@ -234,7 +234,7 @@ pub(crate) struct Draw {
     pub(crate) force: bool,
 }
 
-/// Print what a shell needs to complete commands and options
+/// Print a script that completes commands and options in a shell
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example: for bash
@@ -259,7 +259,7 @@ pub(crate) struct Lfs {
     pub(crate) json: bool,
 }
 
-/// List the algorithms, what they are proven for and where they come from
+/// List the algorithms with their guarantees and sources
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example: the names alone
@@ -296,10 +296,10 @@ pub(crate) struct StrokesOf {
     /// Join gaps and leave out segments up to this share of the drawing, where corners are split
     #[arg(long, value_name = "PERCENT", default_value = "0.01%", value_parser = values::percent)]
     pub(crate) snap: f64,
-    /// Take only what is in elements of this id, class or layer; may be given more than once
+    /// Take only elements of this id, class or layer; may be given more than once
     #[arg(long, value_name = "NAME")]
     pub(crate) select: Vec<String>,
-    /// Leave out what is in elements of this id, class or layer; may be given more than once
+    /// Leave out elements of this id, class or layer; may be given more than once
     #[arg(long, value_name = "NAME")]
     pub(crate) exclude: Vec<String>,
 }

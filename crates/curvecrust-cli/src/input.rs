@@ -116,7 +116,7 @@ impl Source {
         Ok(Some(file))
     }
 
-    /// Everything, from any place; only what is no file is held in memory.
+    /// The data, to be read from any place; they are held in memory unless they are a file.
     pub(crate) fn into_seekable(self) -> io::Result<Seekable> {
         match self.file {
             Some((mut file, _)) => {

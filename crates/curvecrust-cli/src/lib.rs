@@ -101,13 +101,13 @@ pub fn count_points(bytes: Vec<u8>, extension: &str, everything: bool) -> Result
         .map_err(Flaw::from)
         .and_then(|source| {
             let named = Format::of_content_named(&path);
-            let wanted = points::Wanted {
+            let options = points::ReadOptions {
                 columns: None,
                 vertices: everything,
                 heights: everything,
                 termini: everything,
             };
-            points::read_source(source, None, named, &wanted)
+            points::read_source(source, None, named, &options)
         });
     match list {
         Ok(list) => Ok(list

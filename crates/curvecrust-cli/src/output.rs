@@ -27,6 +27,22 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+/// The formats that points, lines and polygons are written in, the one of stdout first.
+pub(crate) const GEOMETRIES: &[Format] = &[
+    Format::Csv,
+    Format::Json,
+    Format::Geojson,
+    Format::Wkt,
+    Format::Wkb,
+    Format::Gpx,
+    #[cfg(feature = "flatgeobuf")]
+    Format::Flatgeobuf,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
+    Format::Dxf,
+    Format::Svg,
+];
+
 /// What becomes of a result: a file, or text on stdout, and the JSON object of `--json`.
 #[derive(Debug)]
 pub(crate) struct Results {

@@ -97,16 +97,16 @@ pub(crate) struct PointList {
     pub(crate) notes: Vec<String>,
 }
 
-/// What the user says about how points are read.
+/// How points are read.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Wanted {
+pub(crate) struct ReadOptions {
     /// The columns of a table; `None`: those with names that are known.
     pub(crate) columns: Option<ColumnNames>,
     /// Whether vertices of lines and polygons are points.
     pub(crate) vertices: bool,
     /// Whether heights are kept, which every point must have then.
     pub(crate) heights: bool,
-    /// Whether, of points that are marked so, those are wanted alone that are ends of curves.
+    /// Whether only those are read that are marked as ends of curves, if any are.
     pub(crate) termini: bool,
 }
 
@@ -117,11 +117,11 @@ pub(crate) struct Wanted {
 pub(crate) fn read(
     path: &Path,
     from: Option<Format>,
-    wanted: &Wanted,
+    options: &ReadOptions,
 ) -> Result<PointList, PointsError> {
     Source::open(path)
         .map_err(Flaw::from)
-        .and_then(|source| read_source(source, from, Format::of_content_named(path), wanted))
+        .and_then(|source| read_source(source, from, Format::of_content_named(path), options))
         .map_err(|flaw| PointsError::new(input::name(path), flaw))
 }
 
@@ -130,13 +130,13 @@ pub(crate) fn read_source(
     mut source: Source,
     asked: Option<Format>,
     named: Option<Format>,
-    wanted: &Wanted,
+    options: &ReadOptions,
 ) -> Result<PointList, Flaw> {
     if source.head().is_empty() {
         return Err(Problem::NoPoints.into());
     }
     let format = content::format_of(&mut source, asked, named)?;
-    let names = wanted.columns.as_ref();
+    let names = options.columns.as_ref();
     let has_columns = [
         Format::Csv,
         Format::Text,
@@ -148,34 +148,34 @@ pub(crate) fn read_source(
         return Err(Problem::NoTable(format).into());
     }
     let list = match format {
-        Format::Csv => table::read(source, Separator::Byte(b','), wanted),
-        Format::Text => table::read(source, Separator::WhiteSpace, wanted),
-        Format::Npy => npy::read(source.into_reader(), wanted),
-        Format::Json => json::read(&source.into_bytes()?, wanted),
-        Format::Geojson => geojson::read(&source.into_bytes()?, wanted),
-        Format::Wkt => wkt::read(&source.into_bytes()?, wanted),
-        Format::Gpx => gpx::read(&source.into_bytes()?, wanted),
-        Format::Kml => kml::read(&source.into_bytes()?, wanted),
-        Format::Obj => obj::read(&source.into_bytes()?, wanted),
+        Format::Csv => table::read(source, Separator::Byte(b','), options),
+        Format::Text => table::read(source, Separator::WhiteSpace, options),
+        Format::Npy => npy::read(source.into_reader(), options),
+        Format::Json => json::read(&source.into_bytes()?, options),
+        Format::Geojson => geojson::read(&source.into_bytes()?, options),
+        Format::Wkt => wkt::read(&source.into_bytes()?, options),
+        Format::Gpx => gpx::read(&source.into_bytes()?, options),
+        Format::Kml => kml::read(&source.into_bytes()?, options),
+        Format::Obj => obj::read(&source.into_bytes()?, options),
         Format::Svg => svg::read(&source.into_bytes()?),
         #[cfg(feature = "npz")]
-        Format::Npz => npz::read(source.into_seekable()?, wanted),
+        Format::Npz => npz::read(source.into_seekable()?, options),
         #[cfg(feature = "ply")]
-        Format::Ply => ply::read(source.into_reader(), wanted),
+        Format::Ply => ply::read(source.into_reader(), options),
         #[cfg(feature = "wkb")]
-        Format::Wkb => wkb::read(&source.into_bytes()?, wanted),
+        Format::Wkb => wkb::read(&source.into_bytes()?, options),
         #[cfg(feature = "shapefile")]
-        Format::Shapefile => shapefile::read(source, wanted),
+        Format::Shapefile => shapefile::read(source, options),
         #[cfg(feature = "las")]
-        Format::Las => las::read(source, wanted),
+        Format::Las => las::read(source, options),
         #[cfg(feature = "flatgeobuf")]
-        Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), wanted),
+        Format::Flatgeobuf => flatgeobuf::read(source.into_reader(), options),
         #[cfg(feature = "parquet")]
-        Format::Parquet => parquet::read(source.into_seekable()?, wanted),
+        Format::Parquet => parquet::read(source.into_seekable()?, options),
         other if other.is_of_feature() => Err(Problem::LeftOut(other).into()),
         other => Err(Problem::Unreadable(other).into()),
     }?;
-    if wanted.heights && list.heights.is_none() {
+    if options.heights && list.heights.is_none() {
         return Err(Problem::NoHeight.into());
     }
     if list.points.is_empty() {

@@ -42,7 +42,7 @@ const BASE: u64 = 32 << 20;
 /// Bytes that are needed for each point of a tile: most while its neighbours are sought.
 const POINT: u64 = 128;
 
-/// Tiles of so many points, if memory holds them, are the fastest: larger ones leave the cache.
+/// The number of points of the fastest tiles, if memory holds them: larger ones leave the cache.
 const TILE: usize = 1 << 18;
 
 /// More tiles than this would leave too few points of each in a chunk: they are larger then.
@@ -74,7 +74,7 @@ pub(crate) struct Done {
 }
 
 impl Limits {
-    /// The size of tiles and chunks, for so many points.
+    /// The sizes of tiles and chunks for a number of points.
     fn sizes(self, points: usize) -> Sizes {
         let fits = self.memory.saturating_sub(BASE) / POINT;
         let fits = usize::try_from(fits).unwrap_or(usize::MAX);

@@ -242,7 +242,7 @@ impl Pen {
         self.drawn = true;
     }
 
-    /// A subpath with commands but without length is kept, for those who tell of it.
+    /// A subpath with commands but without length is kept, so that it can be reported.
     fn end_subpath(&mut self, z: bool) {
         let segments = std::mem::take(&mut self.segments);
         self.done.push(BezierPath::from_subpath(segments, z));

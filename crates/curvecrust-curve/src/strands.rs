@@ -6,8 +6,8 @@
 //! 1. Every stroke becomes points, an eighth of the gap apart. Two strokes, or two parts of one,
 //!    touch where points of both are that near.
 //! 2. Of two strokes that touch, the one that ends there is cut; if both or none do, the later one.
-//! 3. What is cut off is all of it around the place that is nearer to the other stroke than the
-//!    gap; so strokes that lie on each other are drawn once.
+//! 3. The part around the place that is nearer to the other stroke than the gap is cut off. So
+//!    strokes that lie on each other are drawn once.
 //! 4. The other stroke runs through the place, which becomes an end of two of its pieces, hence a
 //!    sample.
 //!
@@ -113,7 +113,7 @@ fn runs(is_cut: &[bool], closed: bool) -> Vec<(usize, usize)> {
     runs
 }
 
-/// Whether a place is where a closed stroke of so many segments starts.
+/// Whether a place is where a closed stroke of `order` segments starts.
 fn is_start((segment, t): (usize, f64), order: usize) -> bool {
     segment == 0 && t <= 0.0 || segment + 1 == order && t >= 1.0
 }

@@ -12,7 +12,7 @@
 //!   sheets. All is computed in double precision.
 //! - **Not part of the curve** is what SVG does not draw as a shape: hidden elements (`display`,
 //!   `visibility`), what is drawn only by reference (`defs`, `clipPath`, `pattern`, ...), text and
-//!   images. Subpaths of a single point draw nothing and are left out; [`Drawing::points`] tells of
+//!   images. Subpaths of a single point draw nothing and are left out; [`Drawing::points`] lists
 //!   them. No file is ever opened.
 //! - **Refused** is what would be left out or misplaced without anyone noticing: attributes that
 //!   are malformed or out of range, lengths in units of a font, geometry in CSS, references to

@@ -38,10 +38,10 @@ pub(crate) struct Search {
 /// What the scale of a point is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rule {
-    /// The smallest neighbourhood that is not round, with so many false alarms, as [`scales`] has
-    /// it.
+    /// The smallest neighbourhood that is not round, with this many false alarms allowed, as in
+    /// [`scales`].
     Stroke { alarms: f64 },
-    /// The window holds so many of the nearest points.
+    /// The window holds this many of the nearest points.
     Nearest(usize),
 }
 

@@ -17,13 +17,13 @@ use crate::spline::Guide;
 const FACTORS: [f64; 4] = [0.75, 1.0, 1.4, 2.0];
 /// With more points than this the scale itself is good enough.
 const MANY: usize = 5_000;
-/// Windows of so many points are tried besides
+/// Windows with these numbers of nearest points are tried too,
 const NEAREST: [usize; 3] = [10, 20, 40];
-/// if there are at most so many points: a scale is hard to tell of few.
+/// if there are at most this many points: of few points a scale is hard to estimate.
 const FEW: usize = 2_000;
 /// Of more chains than this no tour is made: they are no pieces of one curve, and it takes long.
 const PIECES: usize = 12;
-/// Of so many models of the best scores the curves are cut and joined.
+/// How many of the models with the best scores have their curves cut and joined.
 const REFINED: usize = 4;
 /// The least evidence of curves against points that form none. Such points, spread evenly, reach
 /// 0.4.

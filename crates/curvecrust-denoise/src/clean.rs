@@ -23,7 +23,7 @@ const SPIKE: f64 = 0.7;
 const LEFT: f64 = 0.5;
 /// The points on each side about which turning is measured.
 const SIDE: usize = 4;
-/// A chain of the background has so many times the usual spacing.
+/// A chain of the background has this many times the usual spacing.
 const SPARSE: f64 = 3.0;
 /// The points on each side of a point that tell whether it alone misses the curve.
 const BESIDE: usize = 3;

@@ -15,7 +15,7 @@ use crate::spline::{Fit, Guide, Rough, fit};
 
 /// A corner is looked for where the curve turns by this angle or more
 const ANGLE: f64 = 0.35;
-/// within so many intervals to each side, over which a spline rounds it.
+/// within this many intervals to each side, over which a spline rounds it.
 const ROUND: f64 = 1.5;
 /// The least distance of two corners, in intervals.
 const APART: f64 = 3.0;
@@ -239,7 +239,7 @@ fn meeting(arc: &Arc, t: f64) -> DVec2 {
     if meet { p + a * u } else { here }
 }
 
-/// A guide along an arc with creases at its corners; what is rounded about them is left out.
+/// A guide along an arc with creases at its corners; the rounded parts about them are left out.
 fn guide(arc: &Arc, corners: &[Corner]) -> Guide {
     let spline = &arc.fit.spline;
     let mut guide = Guide {

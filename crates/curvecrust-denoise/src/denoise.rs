@@ -14,7 +14,7 @@ use crate::error::DenoiseError;
 use crate::fitted::Fitted;
 use crate::options::Options;
 
-/// Fewer points than this are taken as clean: scatter cannot be told from a curve that bends.
+/// Fewer points than this are taken as clean: scatter looks like a curve that bends.
 const FEWEST: usize = 16;
 
 /// Fits curves to points that scatter about them, among others that belong to none.
@@ -53,7 +53,7 @@ pub fn denoise(points: &PointSet) -> Fitted {
     denoise_with(points, &Options::default()).unwrap_or_default()
 }
 
-/// [`denoise`], told what is known about the curves.
+/// [`denoise`], with what is known about the curves.
 ///
 /// # Errors
 /// [`DenoiseError::Sigma`] for a deviation that is no length; [`DenoiseError::Reconstruct`] if the

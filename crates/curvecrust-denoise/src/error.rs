@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum DenoiseError {
-    /// The deviation that is said to be known is no length.
+    /// The given deviation is no length.
     #[error("sigma is {sigma}: give a finite length of 0 or more, or none")]
     Sigma {
         /// The value given.

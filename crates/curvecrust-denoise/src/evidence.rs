@@ -8,7 +8,7 @@ const WIDTH: f64 = 4.13;
 /// The least width of a band, in spacings along it.
 const THINNEST: f64 = 0.05;
 
-/// By how much the logarithm of the likelihood of so many points is larger if they belong to a band
+/// By how much the logarithm of the likelihood of `count` points is larger if they belong to a band
 /// of a length and a deviation than if they belong to a background of a density.
 pub(crate) fn of_band(count: f64, length: f64, sigma: f64, density: f64) -> f64 {
     let width = WIDTH * sigma.max(THINNEST * length / count);

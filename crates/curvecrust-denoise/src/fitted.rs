@@ -19,6 +19,7 @@ pub struct Fitted {
 
 /// A place on a fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Place {
     /// The position of the curve in [`Fitted::curves`].
     pub curve: usize,

@@ -26,8 +26,8 @@ pub(crate) fn agreeing(mut chains: Vec<Chain>, places: &[Place], options: &Optio
     through(&chains, places, &options.known()).unwrap_or(chains)
 }
 
-/// The chains of least detour, told what is known, through the places of some chains; `None` if
-/// none agree.
+/// The chains of least detour through the places of some chains, in agreement with what is known;
+/// `None` if there are none.
 pub(crate) fn through(chains: &[Chain], places: &[Place], known: &Known) -> Option<Vec<Chain>> {
     let along = chains.iter().flat_map(|c| c.vertices.iter().copied());
     let mut used: Vec<usize> = along.collect();

@@ -3,7 +3,7 @@
 //! Points that people measure scatter about their curve, and some belong to none. [`denoise`] finds
 //! how far they scatter, which of them belong to a curve, and splines through the middle of these,
 //! each with its standard error. Nothing has to be known: neither the noise nor a distance, nor how
-//! many curves there are. What is known can be told with [`Options`].
+//! many curves there are. [`Options`] take what is known.
 //!
 //! ```
 //! use curvecrust_denoise::denoise;

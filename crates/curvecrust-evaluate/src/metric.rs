@@ -5,6 +5,7 @@ use crate::evaluation::Evaluation;
 
 /// A number that says how good a reconstruction is.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Metric {
     /// The name in tables: lower case, with underscores.
     pub name: &'static str,

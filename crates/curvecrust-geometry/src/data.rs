@@ -1,4 +1,4 @@
-//! The types of this crate as data of serde: what is read is checked as everything else is.
+//! The types of this crate as data of serde. Data that are read are checked as by the constructors.
 
 use glam::DVec2;
 use serde::de::Error;

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// A listener to a long task: it hears how much is done, and of how much.
 ///
-/// What is counted is up to the task; the total may change while the task learns how much there is
+/// The task chooses what it counts; the total may change while the task learns how much there is
 /// to do. The default hears nothing. A listener changes no result.
 ///
 /// ```

@@ -165,17 +165,11 @@ mod tests {
 
     #[test]
     fn threads_do_not_matter() {
-        let mut state = 1u64;
-        let mut unit = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            f64::from((state >> 40) as u32)
-        };
+        let mut random = crate::Random::new(1);
         // Half of the points in one cell of the first grid.
         let points = (0..300_000).map(|i| {
             let scale = if i % 2 == 0 { 1.0 } else { 1e-6 };
-            DVec2::new(unit(), unit()) * scale
+            DVec2::new(random.unit(), random.unit()) * scale
         });
         let points = PointSet::merging_duplicates(points.collect())
             .unwrap()

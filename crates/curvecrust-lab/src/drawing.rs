@@ -20,7 +20,7 @@ pub enum Within {
     Page,
 }
 
-/// A document of so many pixels; without a title, readers who cannot see it are not told of it.
+/// A document of this size in pixels. Screen readers skip it if it has no title.
 pub(crate) fn document(title: &str, size: DVec2, within: Within) -> Document {
     let (width, height) = (rounded(size.x), rounded(size.y));
     let document = Document::new()

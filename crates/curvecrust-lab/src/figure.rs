@@ -2,7 +2,7 @@
 //!
 //! Coordinates are those of the data, y downwards as in SVG; each panel is scaled to fit. Numbers
 //! are written to a hundredth of a pixel, so that the same data give the same bytes everywhere.
-//! What a mark means is said by a legend below the panels, for the layers that occur.
+//! A legend below the panels explains the marks of the layers that occur.
 
 mod layer;
 
@@ -68,7 +68,7 @@ pub struct Panel {
     /// Below it; lines of about 38 letters.
     pub caption: String,
     /// Two opposite corners of what is shown, smaller coordinates first; `None` for all curves and
-    /// points. What is outside is drawn too, and may run over the edge.
+    /// points. Curves and points outside are drawn too, and may run over the edge.
     pub frame: Option<[DVec2; 2]>,
     /// What is drawn.
     pub layers: Vec<Layer>,

@@ -15,6 +15,7 @@
 mod claims;
 pub mod compare;
 pub mod counterexamples;
+mod digest;
 pub mod docs;
 pub mod drawing;
 mod family;

@@ -77,13 +77,13 @@ pub(crate) fn gap_ahead() -> anyhow::Result<Figure> {
     let spacing = TAU / 32.0;
     let points = PointSet::new(arc(DVec2::ZERO, 1.0, 0.0, 30.0 * spacing, 30))?;
     let termini = [0, 29].map(PointId::from);
-    let told = LeastDetour.reconstruct_open(&points, &termini)?;
+    let with_ends = LeastDetour.reconstruct_open(&points, &termini)?;
     Ok(Figure {
         title: "A gap of three spacings, straight ahead".to_owned(),
         columns: 2,
         panels: vec![
             marked("Least detour", &points, &least_detour(&points)),
-            marked("The same, told the ends", &points, &told),
+            marked("The same, with the ends given", &points, &with_ends),
         ],
     })
 }

@@ -44,7 +44,7 @@ struct Row {
     cells: Vec<Cell>,
 }
 
-/// Runs an experiment with so many seeds a cell; its name is one of [`EXPERIMENTS`].
+/// Runs an experiment with a number of seeds for each cell; its name is one of [`EXPERIMENTS`].
 ///
 /// `tell` is given each row of the table as it is ready. Pictures of what went wrong, and of the
 /// first seed, go to a folder, if one is given.

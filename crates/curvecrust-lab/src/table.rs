@@ -33,7 +33,7 @@ pub enum Field {
 }
 
 impl Field {
-    /// A number rounded to so many significant digits.
+    /// A number rounded to `digits` significant digits.
     #[must_use]
     pub fn rounded(value: f64, digits: usize) -> Self {
         Self::Number(rounded(value, digits))
@@ -49,7 +49,7 @@ impl Field {
         !matches!(self, Self::Text(_) | Self::Empty)
     }
 
-    /// As a field of CSV, where what is not there is empty.
+    /// As a field of CSV; a missing one is empty.
     fn bare(&self) -> String {
         match self {
             Self::Missing => String::new(),
@@ -95,14 +95,14 @@ impl fmt::Display for Field {
     }
 }
 
-/// A number rounded to so many significant digits; never -0, which is a sum of nothing.
+/// A number rounded to `digits` significant digits; 0 in place of -0.
 #[must_use]
 pub fn rounded(value: f64, digits: usize) -> f64 {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
     text.parse().unwrap_or(value) + 0.0
 }
 
-/// A share in per cent; neither 100 % nor 0 % is said of anything else.
+/// A share in per cent; only 1 gives 100 %, and only 0 gives 0 %.
 #[must_use]
 pub fn percent(share: f64) -> String {
     if share >= 1.0 {
@@ -204,7 +204,7 @@ impl Render for Table {
     }
 }
 
-/// A table with its title and what has to be said of it.
+/// A table with its title and a paragraph about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// One line.
@@ -218,7 +218,7 @@ pub struct Section {
 }
 
 impl Section {
-    /// Markdown under a heading of so many `#`.
+    /// Markdown under a heading of `level` `#`.
     #[must_use]
     pub fn to_markdown(&self, level: usize) -> String {
         let paragraph = |text: &str| match text {

@@ -6,7 +6,7 @@ use curvecrust::curve::Curve;
 use curvecrust::medial_axis::{Discretisation, MeasureOptions, measure_with};
 use curvecrust::reconstruct::{HnnCrust, Reconstructor};
 use curvecrust::sampling::{Bound, Condition, PlacedSamples, check};
-use curvecrust_lab::counterexamples::{Counterexample, Dense, all};
+use curvecrust_lab::counterexamples::{Dense, ProvenSamples, all};
 
 /// A bound that is this much larger or smaller is not what the samples attain.
 const APART: f64 = 1.01;
@@ -35,17 +35,17 @@ fn algorithms_fail_on_samples_of_proven_bounds() {
         let found = one
             .reconstructor()
             .unwrap()
-            .reconstruct(&one.points().unwrap());
-        assert_ne!(found, one.truth(), "{}", one.name());
-        assert!(one.prove().is_ok(), "{}", one.name());
-        let less = Counterexample {
-            bound: with(one.bound, 1.0 / 1.02),
-            ..one
+            .reconstruct(&one.samples.points().unwrap());
+        assert_ne!(found, one.samples.truth(), "{}", one.name());
+        assert!(one.samples.prove().is_ok(), "{}", one.name());
+        let less = ProvenSamples {
+            bound: with(one.samples.bound, 1.0 / 1.02),
+            ..one.samples.clone()
         };
         assert!(
             less.prove().is_err(),
             "{}: the bound is no more than it has to be",
-            less.name()
+            one.name()
         );
     }
 }
@@ -54,15 +54,15 @@ fn algorithms_fail_on_samples_of_proven_bounds() {
 #[test]
 fn check_agrees() {
     for one in all().unwrap() {
-        let curve = Curve::from_path_data(&one.path_data()).unwrap();
+        let curve = Curve::from_path_data(&one.samples.path_data()).unwrap();
         let options = MeasureOptions {
             discretisation: Discretisation::Adaptive { gap_to_lfs: 0.002 },
             ..Default::default()
         };
         let measured = measure_with(&curve, &options).unwrap();
-        let points = one.points().unwrap();
+        let points = one.samples.points().unwrap();
         let placed = PlacedSamples::project(&measured, points.points(), 1e-4).unwrap();
-        let condition = match with(one.bound, APART) {
+        let condition = match with(one.samples.bound, APART) {
             Bound::Epsilon(value) => Condition::epsilon(value).unwrap(),
             Bound::Rho(value) => Condition::rho(value).unwrap(),
         };
@@ -74,7 +74,7 @@ fn check_agrees() {
         );
         let worst = verdict.worst.unwrap().bound;
         assert!(
-            worst > one.bound.value() / APART.powi(2),
+            worst > one.samples.bound.value() / APART.powi(2),
             "{}: {worst}",
             one.name()
         );
@@ -85,7 +85,7 @@ fn check_agrees() {
 #[test]
 fn touching_balls_agree() {
     for one in all().unwrap() {
-        let control = one.control();
+        let control = one.samples.control();
         // The search had 120 points a segment, on curves of few segments.
         let segments: usize = control.iter().map(Vec::len).sum();
         let per_segment = (10_000 / segments).next_power_of_two();
@@ -97,6 +97,7 @@ fn touching_balls_agree() {
             first + step
         };
         let placed = one
+            .samples
             .sampled
             .samples
             .iter()
@@ -105,8 +106,8 @@ fn touching_balls_agree() {
                 let places = samples.iter().map(|sample| nearest((component, *sample)));
                 places.collect::<Vec<_>>()
             });
-        let attained = dense.attained(&placed.collect::<Vec<_>>(), one.bound);
-        let ratio = attained / one.bound.value();
+        let attained = dense.attained(&placed.collect::<Vec<_>>(), one.samples.bound);
+        let ratio = attained / one.samples.bound.value();
         assert!(
             (1.0 / APART.powi(2)..APART).contains(&ratio),
             "{}: {attained}",
@@ -122,10 +123,10 @@ fn none_contradicts_the_theorem() {
         if one.algorithm != HnnCrust::MUTUAL.info().name {
             continue;
         }
-        let least = match one.bound {
+        let least = match one.samples.bound {
             Bound::Epsilon(_) => 0.4703,
             Bound::Rho(_) => 0.888,
         };
-        assert!(one.bound.value() > least);
+        assert!(one.samples.bound.value() > least);
     }
 }

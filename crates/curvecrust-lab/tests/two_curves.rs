@@ -5,7 +5,7 @@ use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use curvecrust::reconstruct::{LeastDetour, Reconstructor};
 use curvecrust::sampling::Bound;
-use curvecrust_lab::counterexamples::{Counterexample, two_curves};
+use curvecrust_lab::counterexamples::{ProvenSamples, two_curves};
 
 /// The edges of the second curve in terms of the samples of the first.
 fn renamed(edges: &EdgeSet, from: &PointSet, to: &PointSet) -> EdgeSet {
@@ -30,7 +30,7 @@ fn renamed(edges: &EdgeSet, from: &PointSet, to: &PointSet) -> EdgeSet {
 fn both_are_sampled_alike() {
     let [petals, flower] = two_curves().unwrap();
     for one in [&petals, &flower] {
-        let wider = Counterexample {
+        let wider = ProvenSamples {
             bound: Bound::Epsilon(0.9),
             ..one.clone()
         };

@@ -9,7 +9,7 @@ use crate::axis::MedialAxis;
 use crate::crossing::{self, chord};
 use crate::curvature;
 use crate::error::MedialAxisError;
-use crate::gaps::Gaps;
+use crate::gaps::GapLimits;
 use crate::lfs::LocalFeatureSize;
 use crate::shrinking_ball;
 
@@ -188,7 +188,11 @@ pub fn measure_with(
             MeasuredCurve::new(dense, estimator)
         }
         Discretisation::Adaptive { gap_to_lfs } => {
-            let refined = refine(curve, Gaps::new(gap_to_lfs, gap_to_lfs_of_many)?, progress)?;
+            let refined = refine(
+                curve,
+                GapLimits::new(gap_to_lfs, gap_to_lfs_of_many)?,
+                progress,
+            )?;
             match estimator {
                 Estimator::Voronoi => Ok(refined),
                 Estimator::ShrinkingBall => {
@@ -203,7 +207,7 @@ pub fn measure_with(
 /// Splits gaps until none is longer than what is allowed at its ends.
 fn refine(
     curve: &Curve,
-    gaps: Gaps,
+    gaps: GapLimits,
     progress: Progress<'_>,
 ) -> Result<MeasuredCurve, MedialAxisError> {
     let (axis, coarse) = refine_axis(curve, gaps, progress)?;
@@ -219,7 +223,7 @@ fn refine(
 pub(crate) fn settle(
     curve: &Curve,
     mut dense: DenseCurve,
-    gaps: Gaps,
+    gaps: GapLimits,
     progress: Progress<'_>,
     lfs: impl Fn(&DenseCurve) -> Result<LocalFeatureSize, MedialAxisError>,
 ) -> Result<MeasuredCurve, MedialAxisError> {
@@ -239,7 +243,7 @@ pub(crate) fn settle(
 /// an lfs that takes no account yet of the centres of curvature at joins.
 pub(crate) fn refine_axis(
     curve: &Curve,
-    gaps: Gaps,
+    gaps: GapLimits,
     progress: Progress<'_>,
 ) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
     let coarse = gaps.of_axis();
@@ -250,7 +254,7 @@ pub(crate) fn refine_axis(
 /// The medial axis of points with these gaps, and the points with their lfs.
 fn coarse_axis(
     curve: &Curve,
-    gaps: Gaps,
+    gaps: GapLimits,
     report: &dyn Fn(&[f64]),
 ) -> Result<(MedialAxis, MeasuredCurve), MedialAxisError> {
     let distance = TOUCHING * curve.extent();
@@ -318,7 +322,12 @@ fn start(curve: &Curve) -> Result<DenseCurve, MedialAxisError> {
 
 /// Into how many parts, 1 or more, the gap after each point would be split at once, and the
 /// fraction of lfs that is allowed.
-fn parts(curve: &Curve, dense: &DenseCurve, lfs: &LocalFeatureSize, gaps: Gaps) -> (Vec<f64>, f64) {
+fn parts(
+    curve: &Curve,
+    dense: &DenseCurve,
+    lfs: &LocalFeatureSize,
+    gaps: GapLimits,
+) -> (Vec<f64>, f64) {
     let gap_to_lfs = |i| {
         let Some(next) = dense.next(i) else {
             return 0.0;

@@ -29,7 +29,7 @@ use crate::axis::MedialAxis;
 use crate::crossing::chord;
 use crate::discretise::{GAP_TO_LFS, MeasuredCurve, TOUCHING, refine_axis, settle};
 use crate::error::MedialAxisError;
-use crate::gaps::Gaps;
+use crate::gaps::GapLimits;
 use crate::lfs::LocalFeatureSize;
 
 /// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
@@ -102,7 +102,7 @@ pub fn measure_pieces_with(
         gap_to_lfs_of_many,
         progress,
     } = *options;
-    let gaps = Gaps::new(gap_to_lfs, gap_to_lfs_of_many)?;
+    let gaps = GapLimits::new(gap_to_lfs, gap_to_lfs_of_many)?;
     let smooth = split.smooth_parts();
     let total = smooth.len();
     let mut parts = Vec::with_capacity(total);
@@ -221,7 +221,7 @@ impl Part {
         &mut self,
         split: &SplitCurve,
         outlines: &[Outline],
-        gaps: Gaps,
+        gaps: GapLimits,
         least: f64,
     ) -> Result<(), MedialAxisError> {
         let neighbours: Vec<Vec<Neighbour>> = self

@@ -4,6 +4,7 @@
 //! axis by shrinking balls, brute force.
 #![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
 
+use curvecrust_geometry::Random;
 use curvecrust_proof::{Curves, Interval, Leaf, Reason};
 use std::f64::consts::TAU;
 
@@ -15,24 +16,6 @@ const HALF: usize = 400;
 
 /// Where the arc of a strand ends, as a length along it.
 const ARC: f64 = 0.55;
-
-/// A generator of random numbers between 0 and 1 (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    #[expect(clippy::cast_precision_loss, reason = "53 bits are exact")]
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
 
 fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
@@ -65,7 +48,7 @@ impl Strand {
         // Waves, or two arcs with a short ramp between them: there many bounds are tight.
         let ends = [0, 1].map(|_| random.between(-1.0, 1.0));
         let (switch, width) = (random.between(-1.0, 0.5), random.between(0.03, 0.5));
-        let in_waves = random.next() < 0.4;
+        let in_waves = random.unit() < 0.4;
         let curvature = |s: f64| -> f64 {
             if curves == Curves::Arcs && s < ARC {
                 return ends[0];
@@ -160,14 +143,8 @@ struct Real {
 }
 
 /// A random index.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    clippy::cast_sign_loss,
-    reason = "small"
-)]
 fn index(low: usize, high: usize, random: &mut Random) -> usize {
-    low + (random.next() * (high - low) as f64) as usize
+    low + random.below(high - low)
 }
 
 /// Chooses s0, q, s1 and z; none if they are no configuration of the proof.
@@ -175,7 +152,7 @@ fn choose(strand: &Strand, random: &mut Random) -> Option<Real> {
     let s1 = index(HALF - 50, HALF + 50, random);
     let s0 = index(s1 - 170, s1 - 20, random);
     let q = index(s0 + 1, s1, random);
-    let side = if random.next() < 0.5 { 1.0 } else { -1.0 };
+    let side = if random.unit() < 0.5 { 1.0 } else { -1.0 };
     let radius = strand.radii[q][usize::from(side < 0.0)];
     let height = random.between(0.7, 1.0) * (2.0 * radius).min(2.5);
     let (p, z) = (&strand.points, strand.raised(q, side * height));
@@ -257,7 +234,7 @@ fn no_real_arc_is_refuted() {
 }
 
 fn refutes_none(curves: Curves) {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let (mut tried, mut tight) = (0, 0);
     for _ in 0..100 {
         let strand = Strand::random(curves, &mut random);
@@ -292,7 +269,7 @@ fn refutes_none(curves: Curves) {
 /// of the curve, their radii lfs.
 #[test]
 fn a_disc_on_a_normal_off_the_axis_is_free() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     let mut passed = 0;
     for _ in 0..100 {
         let strand = Strand::random(Curves::Smooth, &mut random);

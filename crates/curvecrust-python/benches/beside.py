@@ -49,8 +49,8 @@ def hnn_crust(points):
     return set(map(tuple, curvecrust.reconstruct(points, method="hnn-crust").edges.tolist()))
 
 
-def told(points, rings):
-    """Return so many closed curves through all points."""
+def with_rings(points, rings):
+    """Return `rings` closed curves through all points."""
     found = curvecrust.reconstruct(points, closed=True, curves=rings)
     return set(map(tuple, found.edges.tolist()))
 
@@ -87,7 +87,7 @@ def nearest_unvisited(points):
 METHODS = {
     "curvecrust": least_detour,
     "curvecrust, method=hnn-crust": hnn_crust,
-    "curvecrust, told how many rings": told,
+    "curvecrust, number of rings given": with_rings,
     "shapely.concave_hull(ratio=0.1)": concave_hull,
     "alphashape": alpha_shape,
     "nearest unvisited, by scipy": nearest_unvisited,
@@ -118,7 +118,7 @@ def beside(files):
             for points, count, truth in shapes:
                 start = time.perf_counter()
                 try:
-                    arguments = (points, count) if method is told else (points,)
+                    arguments = (points, count) if method is with_rings else (points,)
                     exact += method(*arguments) == truth
                 except Exception as error:
                     print(f"{name}: {error!r}", file=sys.stderr)

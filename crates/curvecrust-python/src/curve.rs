@@ -73,7 +73,7 @@ impl Curve {
             .map(Arrays::finish)
     }
 
-    /// Points along all pieces, so many on each segment, and where each piece begins.
+    /// Points along all pieces, as many on each segment as asked for, and where each piece begins.
     fn polylines<'py>(&self, py: Python<'py>, per_segment: u32) -> PyResult<Bound<'py, PyDict>> {
         let pieces = self.split.pieces();
         let dense = DenseCurve::per_segment(pieces, per_segment).map_err(value_error)?;

@@ -12,10 +12,10 @@ pub(crate) fn value_error(error: impl Display) -> PyErr {
 
 /// A `RuntimeError` for a panic, which no input should cause.
 pub(crate) fn defect(payload: &(dyn Any + Send)) -> PyErr {
-    let said = payload.downcast_ref::<&str>().copied();
-    let said = said.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let message = payload.downcast_ref::<&str>().copied();
+    let message = message.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
     PyRuntimeError::new_err(format!(
         "this is a defect of curvecrust, please report it: {}",
-        said.unwrap_or("no message")
+        message.unwrap_or("no message")
     ))
 }

@@ -13,7 +13,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 
 /// What a caller says beside the points.
 #[derive(FromPyObject)]
-pub(crate) struct Told {
+pub(crate) struct Arguments {
     #[pyo3(item)]
     closed: Option<bool>,
     #[pyo3(item)]
@@ -31,22 +31,22 @@ pub(crate) struct Told {
 pub(crate) fn fit<'py>(
     py: Python<'py>,
     points: PyReadonlyArray2<'py, f64>,
-    told: Told,
+    arguments: Arguments,
 ) -> PyResult<Bound<'py, PyDict>> {
     let points = arrays::points(&points)?;
     let count = points.len();
     let run = Run {
         py,
-        threads: told.threads,
+        threads: arguments.threads,
         progress: None,
     };
     let options = Options {
-        shape: shape(told.closed),
-        curves: told.curves,
-        sigma: told.sigma,
+        shape: shape(arguments.closed),
+        curves: arguments.curves,
+        sigma: arguments.sigma,
     };
     let (input, fitted) = run.work(move |_| {
-        let input = Input::new(points, told.merge_within)?;
+        let input = Input::new(points, arguments.merge_within)?;
         let fitted = denoise_with(&input.points, &options).map_err(value_error)?;
         Ok((input, fitted))
     })?;

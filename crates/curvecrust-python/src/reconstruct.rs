@@ -12,9 +12,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::num::{NonZeroU32, NonZeroUsize};
 
-/// What a caller says beside the points.
+/// The arguments beside the points.
 #[derive(FromPyObject)]
-pub(crate) struct Told {
+pub(crate) struct Arguments {
     #[pyo3(item)]
     method: String,
     #[pyo3(item)]
@@ -70,7 +70,7 @@ impl Input {
         ids.iter().map(|&id| self.row(id)).collect()
     }
 
-    fn known(&self, told: &Told) -> PyResult<Known> {
+    fn known(&self, arguments: &Arguments) -> PyResult<Known> {
         let count = self.points.len().max(self.ids.len());
         let id = |&row: &usize| {
             let id = self.ids.get(row).copied().or(PointId::new(row));
@@ -79,9 +79,9 @@ impl Input {
             })
         };
         Ok(Known {
-            shape: shape(told.closed),
-            curves: told.curves,
-            termini: told.termini.iter().map(id).collect::<PyResult<_>>()?,
+            shape: shape(arguments.closed),
+            curves: arguments.curves,
+            termini: arguments.termini.iter().map(id).collect::<PyResult<_>>()?,
         })
     }
 
@@ -93,7 +93,7 @@ impl Input {
     }
 }
 
-/// What is said about whether curves are closed.
+/// The shape that all curves have, if the caller knows it.
 pub(crate) fn shape(closed: Option<bool>) -> Option<Shape> {
     closed.map(|closed| if closed { Shape::Closed } else { Shape::Open })
 }
@@ -103,19 +103,19 @@ pub(crate) fn shape(closed: Option<bool>) -> Option<Shape> {
 pub(crate) fn reconstruct<'py>(
     py: Python<'py>,
     points: PyReadonlyArray2<'py, f64>,
-    told: Told,
+    arguments: Arguments,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let algorithm = method(&told.method)?;
+    let algorithm = method(&arguments.method)?;
     let points = arrays::points(&points)?;
     let run = Run {
         py,
-        threads: told.threads,
+        threads: arguments.threads,
         progress: progress.as_ref(),
     };
     let (input, found) = run.work(move |_| {
-        let input = Input::new(points, told.merge_within)?;
-        let known = input.known(&told)?;
+        let input = Input::new(points, arguments.merge_within)?;
+        let known = input.known(&arguments)?;
         let found = Reconstruction::by_known(algorithm, &input.points, &known);
         Ok((input, found.map_err(value_error)?))
     })?;
@@ -168,18 +168,18 @@ fn curves<'py>(
 pub(crate) fn explain<'py>(
     py: Python<'py>,
     points: PyReadonlyArray2<'py, f64>,
-    told: Told,
+    arguments: Arguments,
 ) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let algorithm = method(&told.method)?;
+    let algorithm = method(&arguments.method)?;
     let points = arrays::points(&points)?;
     let run = Run {
         py,
-        threads: told.threads,
+        threads: arguments.threads,
         progress: None,
     };
     let (input, why) = run.work(move |_| {
-        let input = Input::new(points, told.merge_within)?;
-        let known = input.known(&told)?;
+        let input = Input::new(points, arguments.merge_within)?;
+        let known = input.known(&arguments)?;
         let why = algorithm.explain_known(&input.points, &known);
         Ok((input, why.map_err(value_error)?))
     })?;

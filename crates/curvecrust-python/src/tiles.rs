@@ -24,7 +24,7 @@ const OPEN: usize = 10;
 /// No sample has this id.
 const NONE: u64 = u64::MAX;
 
-/// Cuts of the plane into about so many cells of equal shares of some points: for each node the
+/// Cuts of the plane into about this many cells of equal shares of some points: for each node the
 /// axis, 0 or 1, and the coordinate; 2 for a cell.
 #[pyfunction]
 pub(crate) fn tiles_cut<'py>(
@@ -187,7 +187,7 @@ fn local(name: &str) -> PyResult<Method> {
     })
 }
 
-/// The rows of an array of so many columns.
+/// The rows of an array of this many columns.
 fn words<const WORDS: usize>(
     array: &PyReadonlyArray2<'_, u64>,
 ) -> PyResult<impl Iterator<Item = [u64; WORDS]>> {

@@ -11,13 +11,13 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-/// How often Python is asked whether somebody pressed Ctrl-C, and told how far the work is.
+/// How often Python is asked whether somebody pressed Ctrl-C, and gets the progress of the work.
 const POLL: Duration = Duration::from_millis(40);
 
 /// How a piece of work is to run.
 pub(crate) struct Run<'a, 'py> {
     pub(crate) py: Python<'py>,
-    /// On so many threads; one for each processor if it is not said.
+    /// The number of threads; one for each processor by default.
     pub(crate) threads: Option<NonZeroUsize>,
     /// What hears how much is done of how much, which is 0 where nobody knows.
     pub(crate) progress: Option<&'a Bound<'py, PyAny>>,
@@ -95,7 +95,7 @@ impl<'py> Run<'_, 'py> {
 /// The pool of all calls that do not say how many threads, and the process that it belongs to.
 static SHARED: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
-/// A pool of so many threads.
+/// A pool of this many threads.
 ///
 /// The threads of a process do not live on in one that it forks, as `multiprocessing` does: there a
 /// new pool replaces the one that is dead.

@@ -37,7 +37,7 @@ def test_every_array_has_its_shape() -> None:
     assert repr(found) == f"<Fit of 302 points: 1 closed and 0 open, {count} outliers>"
 
 
-def test_corners_are_told() -> None:
+def test_corners_are_listed() -> None:
     random = np.random.default_rng(2)
     along = np.linspace(0, 1, 80, endpoint=False)
     sides = [np.c_[along, 0 * along], np.c_[1 + 0 * along, along]]
@@ -69,7 +69,7 @@ def test_equal_points_share_a_place() -> None:
     assert found.parameters[0] == found.parameters[200]
 
 
-def test_what_is_told_is_checked() -> None:
+def test_options_are_checked() -> None:
     points = ring(200, 0.05)
     assert not any(curve.closed for curve in curvecrust.fit(points, closed=False).curves)
     with pytest.raises(ValueError, match="sigma"):

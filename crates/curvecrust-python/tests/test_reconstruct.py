@@ -53,7 +53,7 @@ def test_flat_arrays_hold_the_paths():
     assert found.leaves.tolist() == [120, 125]
 
 
-def test_what_is_known_is_told():
+def test_options_for_known_curves():
     rows = [(i, j) for i in range(8) for j in (0, 3)]
     assert len(curvecrust.reconstruct(rows)) == 2
     assert curvecrust.reconstruct(rows, closed=True, curves=1).closed.tolist() == [True]

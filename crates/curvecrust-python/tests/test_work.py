@@ -98,11 +98,11 @@ def test_what_listens_may_end_the_work():
     def listener(done, total):
         raise RuntimeError(f"{done} of {total}")
 
-    told = {"method": "least-detour", "closed": None, "curves": None, "termini": []}
-    told.update(merge_within=None, threads=None)
+    arguments = {"method": "least-detour", "closed": None, "curves": None, "termini": []}
+    arguments.update(merge_within=None, threads=None)
     points = np.random.default_rng(1).random((200_000, 2))
     with pytest.raises(RuntimeError, match="0 of 0"):
-        _curvecrust.reconstruct(points, told, listener)
+        _curvecrust.reconstruct(points, arguments, listener)
 
 
 def test_progress_changes_nothing():

@@ -92,7 +92,7 @@ pub trait Reconstructor: fmt::Debug + Send + Sync {
     }
 }
 
-/// The edges of an algorithm that can be told about termini at most.
+/// The edges of an algorithm that can use termini at most.
 pub(crate) fn reconstruct_termini_alone(
     algorithm: &(impl Reconstructor + ?Sized),
     points: &PointSet,
@@ -116,14 +116,15 @@ pub struct AlgorithmInfo {
     /// Authors, title, venue and year.
     pub citation: &'static str,
     /// Sampling conditions of smooth closed curves, each claimed to be enough for the edges to be
-    /// exactly those between consecutive samples, with what is known of the claim; empty if there
-    /// is none.
+    /// exactly those between consecutive samples, and whether the claim is proven; empty if
+    /// there is none.
     pub guarantees: &'static [Guarantee],
     /// Time in the number n of points.
     pub cost: &'static str,
     /// Whether [`Reconstructor::reconstruct_open`] takes termini.
     pub honours_termini: bool,
-    /// Whether [`Reconstructor::reconstruct_known`] can be told the shape of the curves.
+    /// Whether [`Reconstructor::reconstruct_known`] takes the shape of the curves and
+    /// their number.
     pub honours_known: bool,
     /// The curves that it is made for.
     pub scope: Scope,
@@ -207,13 +208,13 @@ impl fmt::Display for Scope {
 pub enum Basis {
     /// From the publication.
     Published,
-    /// From what others wrote of the publication, which could not be had: its idea is kept,
+    /// From what others wrote of the publication, which was not available: its idea is kept,
     /// constants and order of steps may differ.
     Argued,
 }
 
 impl AlgorithmInfo {
-    /// An algorithm without guarantees, for closed curves, that cannot be told anything.
+    /// An algorithm without guarantees, for closed curves, that takes points alone.
     #[must_use]
     pub const fn new(name: &'static str, citation: &'static str, cost: &'static str) -> Self {
         Self {

@@ -81,14 +81,14 @@ mod tests {
                 Basis::Published => "",
                 Basis::Argued => " (argued)",
             };
-            let told = match (info.honours_known, info.honours_termini) {
+            let known = match (info.honours_known, info.honours_termini) {
                 (true, true) => "shape, number, termini",
                 (true, false) => "shape, number",
                 (false, true) => "termini",
                 (false, false) => "nothing",
             };
             format!(
-                "//! | [`{}`] | {}{basis} | {guarantees} | {} | {} | {told} |\n",
+                "//! | [`{}`] | {}{basis} | {guarantees} | {} | {} | {known} |\n",
                 info.name, info.citation, info.scope, info.cost,
             )
         };

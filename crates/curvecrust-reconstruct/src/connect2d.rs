@@ -1,6 +1,6 @@
 //! Connect2D: S. Ohrhallinger, S. Mudur, "An Efficient Algorithm for Determining an Aesthetic Shape
 //! Connecting Unorganized 2D Points", Computer Graphics Forum 32(8), 2013. Its steps are published;
-//! the costs by which they choose are argued here, since the text could not be had.
+//! the costs by which they choose are argued here, since the text was not available.
 //!
 //! One simple ring through all samples:
 //!

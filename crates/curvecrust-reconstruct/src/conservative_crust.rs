@@ -1,6 +1,6 @@
 //! Conservative Crust: T. K. Dey, K. Mehlhorn, E. A. Ramos, "Curve Reconstruction: Connecting Dots
 //! with Good Reason", Symposium on Computational Geometry (SoCG), 1999. Its goal is published; the
-//! order of its steps is argued here, since the text could not be had.
+//! order of its steps is argued here, since the text was not available.
 //!
 //! It is for any points: it gives edges together with a smooth curve, perhaps an open one, that
 //! justifies them. The Gabriel edges are the first candidates. An edge e goes if the disc about its

@@ -152,9 +152,9 @@ pub(crate) fn through_all(points: &PointSet, known: &Known, curves: usize, goal:
 /// So many edges at either end of a path tell how long its edges are there.
 const AT_ENDS: usize = 5;
 
-/// A gap of so many edges is read as an end: people see an even chain as two from about twice its
-/// spacing on (Zeng, Nguyen, Yan, Chen: "A distance-based parameter free algorithm for curve
-/// reconstruction", CAD 2008).
+/// A gap as long as this many edges is read as an end: people see an even chain as two from about
+/// twice its spacing on (Zeng, Nguyen, Yan, Chen: "A distance-based parameter free algorithm for
+/// curve reconstruction", CAD 2008).
 const GAP: f64 = 2.05;
 
 /// Whether the ends of a path are so near that it is seen as closed.

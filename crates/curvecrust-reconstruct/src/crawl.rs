@@ -1,6 +1,6 @@
 //! Crawl: A. D. Parakkat, R. Muthuganapathy, "Crawl through Neighbors: A Simple Curve
-//! Reconstruction Algorithm", Computer Graphics Forum (SGP) 35(5), 2016. Its text could not be had:
-//! this follows descriptions of it, so the definition is argued.
+//! Reconstruction Algorithm", Computer Graphics Forum (SGP) 35(5), 2016. Its text was not
+//! available: this follows descriptions of it, so the definition is argued.
 //!
 //! The shortest Delaunay edge between two free points starts a chain. Both ends of the chain grow:
 //! each time by the shortest Delaunay edge at either of them that leads to a free point or closes

@@ -33,8 +33,8 @@ pub enum ReconstructError {
     },
     /// More than termini is known to an algorithm that cannot use it.
     #[error(
-        "{algorithm} cannot be told whether curves are closed, nor how many there are: \
-         use an algorithm that can, such as least-detour, or tell nothing"
+        "{algorithm} cannot use whether curves are closed, nor how many there are: \
+         use an algorithm that can, such as least-detour, or leave it out"
     )]
     KnownNotHonoured {
         /// Name of the algorithm.
@@ -50,7 +50,7 @@ pub enum ReconstructError {
         count: usize,
         /// The number of curves.
         curves: usize,
-        /// The least number of points of so many curves.
+        /// The least number of points of these curves.
         needed: usize,
     },
     /// All points lie on one line, on which no closed curve can go through them.
@@ -82,11 +82,11 @@ pub enum ReconstructError {
         /// The number of curves.
         curves: usize,
     },
-    /// There are enough points for so many closed curves, but none were found: as where many of the
-    /// points lie on one line.
+    /// There are enough points for the number of closed curves asked for, but such curves were not
+    /// found, as where many of the points lie on one line.
     #[error(
         "no {asked} closed curves through all points were found, but {found}: \
-         ask for so many, or give no number"
+         ask for as many, or give no number"
     )]
     CurvesNotFound {
         /// The number of curves asked for.

@@ -1,5 +1,5 @@
 //! Gathan-like: after T. K. Dey, R. Wenger, "Reconstructing Curves with Sharp Corners",
-//! Computational Geometry 19(2-3), 2001. Its text could not be had: this is a sketch of its idea.
+//! Computational Geometry 19(2-3), 2001. Its text was not available: this is a sketch of its idea.
 //!
 //! The pole of a sample is the farthest Voronoi vertex of its cell, in the direction of the rays
 //! where the cell is unbounded. From the sample to the pole runs an estimate of the normal, as long

@@ -23,7 +23,7 @@ use crate::paths::Paths;
 /// The cosine of 150 degrees, the sharpest turn inside a chain.
 const SHARPEST: f64 = -0.866_025_403_784_438_6;
 
-/// From a sample of no chain, paths go on to so many Delaunay neighbours, the nearest.
+/// From a sample of no chain, paths go on to this many of its nearest Delaunay neighbours.
 const NEAREST: usize = 12;
 
 /// The edges of the GathanG-like algorithm: rings and chains.

@@ -9,10 +9,10 @@
 
 use curvecrust_geometry::{DVec2, EdgeSet};
 
-/// So many times the prices are changed.
+/// How many times the prices are changed.
 const ROUNDS: usize = 3_000;
 
-/// After so many rounds without a better bound, steps are halved.
+/// After this many rounds without a better bound, steps are halved.
 const PATIENCE: usize = 30;
 
 /// How much of the last direction is kept, so that prices do not swing.

@@ -17,7 +17,7 @@ use crate::termini;
 /// use curvecrust_geometry::{DVec2, PointSet};
 /// use curvecrust_reconstruct::{Known, LeastDetour, Reconstruction};
 ///
-/// // Two rows of points: told nothing, two lines; told "one closed curve", a ring.
+/// // Two rows of points are two lines; as one closed curve they are a ring.
 /// let row = |y| (0..8).map(move |x| DVec2::new(f64::from(x), y));
 /// let points = PointSet::new(row(0.0).chain(row(3.0)).collect())?;
 /// assert_eq!(Reconstruction::by(&LeastDetour, &points).chains().len(), 2);

@@ -143,7 +143,7 @@ impl Reconstructor for LeastDetour {
         constrained::reconstruct(self, points, known)
     }
 
-    /// Edges that it would not have without what is known are there since that is known:
+    /// Edges that only knowledge about the curves requires have the reason
     /// [`Reason::Required`](crate::explanation::Reason::Required). Always `Some`.
     fn explain_known(
         &self,
@@ -325,7 +325,7 @@ impl Solver<'_> {
     }
 
     /// Applies exchanges that begin at some nodes, or where others change something, until none
-    /// lowers the cost; and tells of each.
+    /// lowers the cost, and reports each.
     fn descend(
         &mut self,
         nodes: impl Iterator<Item = u32>,

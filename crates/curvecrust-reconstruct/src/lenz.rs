@@ -1,5 +1,5 @@
 //! Lenz-like: after T. Lenz, "How to Sample and Reconstruct Curves with Unusual Features", European
-//! Workshop on Computational Geometry (EuroCG), 2006. Its text could not be had: this is a sketch
+//! Workshop on Computational Geometry (EuroCG), 2006. Its text was not available: this is a sketch
 //! of its idea.
 //!
 //! Two samples that are nearest to each other are a seed. From the shortest seed on, each grows at

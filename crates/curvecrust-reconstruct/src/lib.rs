@@ -5,7 +5,7 @@
 //! its medial axis. All of them keep one contract ([`Reconstructor`]) and stand in one list
 //! ([`ALGORITHMS`]), from which this table is checked:
 //!
-//! | name | source | claimed correct for closed smooth curves with | made for curves | cost | can be told |
+//! | name | source | claimed correct for closed smooth curves with | made for curves | cost | can use |
 //! |---|---|---|---|---|---|
 //! | [`least-detour`] | The curvecrust authors: docs/method.md of this project. 2026 | none known | closed, open, several, corners | O(n log n) | shape, number, termini |
 //! | [`hnn-crust`] | Ohrhallinger, Mitchell, Wimmer: Curve Reconstruction with Many Fewer Samples. SGP 2016 | rho < 0.9 (proven for rho < 0.888, false from rho = 0.895), epsilon < 0.47 | closed, open, several, corners | O(n log n) | termini |
@@ -31,7 +31,7 @@
 //! | [`sig-connect2d`] | Marin, Ohrhallinger, Wimmer: SIGDT: 2D Curve Reconstruction. Pacific Graphics 2022 (argued) | none known | closed, several, corners | O(n log n) | nothing |
 //! | [`shortest-tour`] | Giesen: Curve Reconstruction, the Traveling Salesman Problem and Menger's Theorem on Length. SoCG 1999 | none known | closed, corners | O(n log n) and a search | shape, number |
 //!
-//! Argued: the publication could not be had, and the definition follows what others wrote of it.
+//! Argued: the publication was not available, and the definition follows what others wrote of it.
 //! Each module says what is sure of it.
 //!
 //! [`least-detour`]: mod@least_detour

@@ -64,7 +64,7 @@ impl Reconstruction {
         Self::of_valid(points, algorithm.reconstruct(points))
     }
 
-    /// Reconstructs the points by an algorithm that is told what is known about the curves.
+    /// Reconstructs the points by an algorithm that uses what is known about the curves.
     ///
     /// # Errors
     /// Those of [`Reconstructor::reconstruct_known`].

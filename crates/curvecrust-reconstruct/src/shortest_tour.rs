@@ -8,8 +8,8 @@
 //! exchanges (1973) from a greedy start, and after random perturbations: the tour found is short,
 //! and [`is_shortest_tour`] may prove that none is shorter.
 //!
-//! A user may say that the curves are open, how many there are, and where they end: then it is the
-//! shortest set of so many paths through all points.
+//! A user who knows that the curves are open, how many there are, or where they end, gets the
+//! shortest set of such paths through all points.
 //!
 //! Cost: O(n log n) for the start, and a search whose time grows with n but has no such bound.
 

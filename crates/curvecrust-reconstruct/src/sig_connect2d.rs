@@ -110,7 +110,7 @@ impl Component {
         u32::try_from(self.vertices.len()).unwrap_or(u32::MAX)
     }
 
-    /// Its ring, or its edges if it has none.
+    /// Its ring; its edges if it has no ring.
     fn ring(&self, graph: &DelaunayGraph) -> Vec<[u32; 2]> {
         let places = self.vertices.iter().map(|&v| graph.at(v)).collect();
         // They are valid, as they are points of a set.

@@ -53,7 +53,7 @@ fn longest_path(graph: &DelaunayGraph, tree: &[[u32; 2]]) -> Vec<u32> {
     let Some(first) = graph.vertices().next() else {
         return Vec::new();
     };
-    // What is farthest from anywhere is an end of a longest path.
+    // The vertex that is farthest from any other one is an end of a longest path.
     let far = |from: u32| paths_from(graph, &adjacent, from);
     let (end, _) = far(first);
     let (mut at, before) = far(end);

@@ -1,8 +1,8 @@
 //! VICUR-like: after T. A. Nguyen, Y. Zeng, "VICUR: A Human-Vision-Based Algorithm for Curve
 //! Reconstruction", Robotics and Computer-Integrated Manufacturing 24(6), 2008. Its text and its
-//! constants could not be had: this is a sketch of its idea.
+//! constants were not available: this is a sketch of its idea.
 //!
-//! As in [DISCUR](mod@crate::discur), curves grow at their ends; but an end chooses whom it wants
+//! As in [DISCUR](mod@crate::discur), curves grow at their ends; but an end chooses its partner
 //! by proximity and by how smoothly the curve goes on. Let the edges of a curve have mean h and
 //! standard deviation s, and its corners the mean angle m, where 180 degrees is straight on. Its
 //! end looks at the Delaunay neighbours that are ends, no farther than 1.849 h, and at an angle of
@@ -122,7 +122,7 @@ impl<'a> Growth<'a> {
             self.spacing[end as usize] = spacing;
             self.angles[end as usize] = angles;
         }
-        // Who wanted what is no end any more looks elsewhere.
+        // Ends whose choice is no end any more choose again.
         let graph = self.graph;
         for v in [p, q] {
             if self.paths.is_end(v) {

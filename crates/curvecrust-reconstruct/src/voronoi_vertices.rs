@@ -136,7 +136,7 @@ impl<'a> VoronoiVertices<'a> {
         }
     }
 
-    /// Whether one of the vertices near edges, in a disc or a little outside, is wanted.
+    /// Whether one of the vertices near edges, in a disc or a little outside, is asked for.
     pub(crate) fn any_near(
         &self,
         disc: &impl Fn(DVec2) -> Option<(DVec2, f64)>,

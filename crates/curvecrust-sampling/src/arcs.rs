@@ -181,7 +181,7 @@ impl<'a> Arcs<'a> {
     /// it does not even hold up to the next. Looks near a `guess` first.
     ///
     /// With a Hausdorff limit, whether an interval holds may change more than once as it grows:
-    /// what is found then is one that holds, and is the last or does not when it is longer by one.
+    /// the result then holds, and either ends at the last point or fails when one point longer.
     pub(crate) fn farthest(
         &self,
         condition: Condition,

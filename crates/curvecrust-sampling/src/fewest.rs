@@ -18,7 +18,7 @@
 //! *With a Hausdorff limit: no.* The chord from crest to trough of a gentle wave may pass near
 //! enough to all of it where the chord from crest to crest does not: parts of what holds need not
 //! hold, the farthest next sample may be a bad one, and greedy may take more samples than need be
-//! (6 for 4 in the test `greedy_is_not_optimal_with_a_limit`). What is returned is the best greedy
+//! (6 for 4 in the test `greedy_is_not_optimal_with_a_limit`). The result is the best greedy
 //! sampling over all starts.
 //!
 //! Closed components without a limit: every sampling has a sample behind the first and up to the

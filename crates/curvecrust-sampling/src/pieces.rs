@@ -57,7 +57,7 @@ const HALVINGS: usize = 8;
 /// The components of the samples are those of the curve; a corner is a sample once, with the
 /// parameter and the dense point that start the piece after it. The components of the measured
 /// curve are the pieces, so that the last sample of a piece before a corner is not among its own
-/// dense points. What is attained is the largest value on any piece.
+/// dense points. The value attained is the largest one on any piece.
 ///
 /// # Errors
 /// Those of [`sample_curve`](crate::sample_curve).

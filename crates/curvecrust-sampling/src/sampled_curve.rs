@@ -48,15 +48,15 @@ impl SampledCurve {
         &self.components
     }
 
-    /// What the test of each closed component's last interval, which greedy sampling takes as it
-    /// comes, has found.
+    /// Whether the condition holds on the last interval of each closed component, whose length
+    /// greedy sampling does not choose.
     #[must_use]
     pub fn closing_intervals(&self) -> &[ClosingInterval] {
         &self.closing_intervals
     }
 
     /// The samples at the ends of open components, ascending: the theorems are for closed curves,
-    /// and an algorithm that is told these ends need not look for partners there.
+    /// and an algorithm that gets these ends does not look for partners there.
     ///
     /// ```
     /// use curvecrust_curve::Curve;

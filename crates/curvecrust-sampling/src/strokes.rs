@@ -11,7 +11,7 @@ use crate::sampling::Sampling;
 /// The samples that [`sample_split`](crate::sample_split) or
 /// [`sample_decoded`](crate::sample_decoded) took of a curve with corners, on its
 /// [whole strokes](strokes_of): the measured curve has a component for each stroke, and a corner is
-/// one dense point. What is attained is that of intervals of strokes, over corners too.
+/// one dense point. The value attained is that of intervals of strokes, over corners too.
 ///
 /// # Errors
 /// [`Measure`](SamplingError::Measure) if the samples are not of this curve.

@@ -12,7 +12,7 @@ use curvecrust_geometry::DVec2;
 pub struct Drawing {
     /// What it is.
     pub name: &'static str,
-    /// About so many cubics.
+    /// A drawing of about this many cubics.
     pub curve: fn(usize) -> Curve,
 }
 

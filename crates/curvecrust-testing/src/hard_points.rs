@@ -10,7 +10,7 @@ use curvecrust_geometry::DVec2;
 pub struct HardPoints {
     /// What it is.
     pub name: &'static str,
-    /// About so many points.
+    /// About this many points.
     pub points: fn(usize) -> Vec<DVec2>,
 }
 

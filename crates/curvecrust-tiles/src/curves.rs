@@ -19,6 +19,7 @@ pub struct CurveId {
 
 /// What is known about a whole curve.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Curve {
     /// Its name.
     pub id: CurveId,
@@ -34,6 +35,7 @@ pub struct Curve {
 
 /// Where a piece is on its curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Place {
     /// The curve.
     pub curve: CurveId,
@@ -46,6 +48,7 @@ pub struct Place {
 
 /// The curves of all tiles.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct JoinedCurves {
     /// The curves, sorted by their names.
     pub curves: Vec<Curve>,

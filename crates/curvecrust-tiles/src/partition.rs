@@ -27,7 +27,7 @@ pub enum Axis {
 pub struct Cut {
     /// The coordinate that is compared.
     pub axis: Axis,
-    /// What is below it lies on one side; what is not lies on the other.
+    /// Points below it lie on one side, the others on the other.
     pub at: f64,
 }
 
@@ -35,7 +35,7 @@ pub struct Cut {
 enum Node {
     Cut {
         cut: Cut,
-        /// The node of what is not below.
+        /// The node of the other side.
         above: usize,
     },
     Cell(usize),
@@ -58,8 +58,8 @@ impl Axis {
 }
 
 impl Partition {
-    /// Cells for about equal shares of some points, which stand for all: so many cells, or fewer
-    /// where points do not differ. Points that are not finite are left out.
+    /// Cells for about equal shares of some points, which stand for all: as many cells as asked
+    /// for, or fewer where points do not differ. Points that are not finite are left out.
     ///
     /// ```
     /// use curvecrust_geometry::DVec2;
@@ -83,7 +83,7 @@ impl Partition {
     }
 
     /// The partition of some cuts, as [`cuts`](Self::cuts) returns them. Where they end early,
-    /// what is left is cells.
+    /// the rest becomes cells.
     #[must_use]
     pub fn from_cuts(cuts: &[Option<Cut>]) -> Self {
         let mut partition = Self {
@@ -113,7 +113,7 @@ impl Partition {
         partition
     }
 
-    /// The cuts: each before those of what is below it, and these before those of what is not;
+    /// The cuts: each before those of its lower side, and these before those of its other side;
     /// `None` for a cell.
     #[must_use]
     pub fn cuts(&self) -> Vec<Option<Cut>> {

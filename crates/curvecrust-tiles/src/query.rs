@@ -52,7 +52,7 @@ impl Found {
 
 /// Where a search is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Settled {
+pub(crate) enum Outcome {
     /// A choice was made, and another search follows.
     On(Claim),
     /// The last choice was made, or nothing is left to choose.
@@ -146,7 +146,7 @@ impl Query {
     }
 
     /// Takes the best for what was sought, when no area is left that may hold a better one.
-    pub(crate) fn settle(&mut self) -> Settled {
+    pub(crate) fn settle(&mut self) -> Outcome {
         let chosen = self.best.map(|best| best.sample);
         let claim = chosen.map(|to| Claim {
             from: self.sample.id,
@@ -154,7 +154,7 @@ impl Query {
         });
         let (Step::Nearest { nearest, half }, Some(n0), Some(claim)) = (self.step, chosen, claim)
         else {
-            return Settled::Done(claim);
+            return Outcome::Done(claim);
         };
         self.step = Step::Half(HalfPlane::new(self.rule, self.sample.point, n0.point));
         if nearest == Some(n0.id) {
@@ -164,6 +164,6 @@ impl Query {
             self.best = None;
             self.seen = Area::NOTHING;
         }
-        Settled::On(claim)
+        Outcome::On(claim)
     }
 }

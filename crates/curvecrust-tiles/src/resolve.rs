@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::atlas::Atlas;
 use crate::claim::Claim;
 use crate::error::TilesError;
-use crate::query::{Query, Settled};
+use crate::query::{Outcome, Query};
 use crate::sample::Sample;
 
 /// Finds the choices of open samples: their claims, in no order.
@@ -106,11 +106,11 @@ impl Asking {
                 return;
             }
             match self.query.settle() {
-                Settled::On(claim) => {
+                Outcome::On(claim) => {
                     self.claims.push(claim);
                     self.asked.clear();
                 }
-                Settled::Done(claim) => {
+                Outcome::Done(claim) => {
                     self.claims.extend(claim);
                     return;
                 }

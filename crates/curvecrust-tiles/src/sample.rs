@@ -14,8 +14,8 @@ pub struct Sample {
     pub point: DVec2,
 }
 
-/// Valid samples at different places, along a Hilbert curve: what is close in the plane is close
-/// in the list.
+/// Valid samples at different places, along a Hilbert curve: neighbours in the list are close in
+/// the plane.
 #[derive(Clone, Debug, Default)]
 pub struct Samples {
     ids: Vec<u64>,
@@ -88,8 +88,8 @@ impl Samples {
         both.map(|(&id, &point)| Sample { id, point })
     }
 
-    /// The areas of runs of so many samples each, the last one of those that are left: what an
-    /// [`Atlas`](crate::Atlas) is made of. Runs of 0 samples count as runs of 1.
+    /// The areas of runs of `length` samples each; the last run has the rest. An
+    /// [`Atlas`](crate::Atlas) is made of them. Runs of 0 samples count as runs of 1.
     #[must_use]
     pub fn run_areas(&self, length: usize) -> Vec<Area> {
         let runs = self.points.points().chunks(length.max(1));

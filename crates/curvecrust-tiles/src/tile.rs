@@ -19,6 +19,7 @@ use crate::sample::{Sample, Samples, named};
 
 /// The choice of a sample, as far as it is certain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Choice {
     /// The nearest neighbour; `None` if it is not certain or if there is none.
     pub nearest: Option<u64>,
@@ -42,6 +43,7 @@ pub struct Solved<'a> {
 
 /// What follows from the certain choices of one tile.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Decided {
     /// Edges between its samples that hold whatever other tiles find, ascending.
     pub edges: Vec<[u64; 2]>,

@@ -86,7 +86,7 @@ export class Plot {
     return [(px - this.left) / this.scale, this.up ? -y : y];
   }
 
-  /** The index of the point nearest to a pixel, within so many pixels; -1 if there is none. */
+  /** The index of the point nearest to a pixel, at most `within` pixels away; -1 if there is none. */
   nearest(points, px, py, within = 14) {
     let [best, found] = [within * within, -1];
     for (let i = 0; 2 * i < points.length; i++) {

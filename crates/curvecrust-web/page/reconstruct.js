@@ -6,7 +6,7 @@ import { save } from "./save.js";
 
 const get = (id) => document.getElementById(id);
 const sides = ["a", "b"].map((side) => ({ side, lane: new Lane(), answer: null, plot: null }));
-/** Beyond so many points, edges come without reasons, which take longer. */
+/** With more points than this, edges come without reasons, which take longer. */
 const EXPLAINED = 20_000;
 const UNDONE = 50;
 

@@ -24,7 +24,7 @@ const ask = (header, numbers) => {
   const sent = encode(header, numbers);
   const input = exports.curvecrust_input(sent.length);
   if (input === 0) {
-    return { header: { error: "There is no memory for so many points." }, numbers: new Float64Array() };
+    return { header: { error: "There is not enough memory for these points." }, numbers: new Float64Array() };
   }
   new Uint8Array(exports.memory.buffer, input, sent.length).set(sent);
   const answer = exports.curvecrust_answer();

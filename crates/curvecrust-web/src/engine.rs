@@ -27,7 +27,7 @@ enum Request {
     /// Loads a curve: its dense points, their lfs and the medial axis.
     Curve(curve::Source),
     /// Samples of the curve that was loaded.
-    Sample(curve::Wanted),
+    Sample(curve::SampleRequest),
     /// The numbers of samples of the curve for the bounds of the paper's Table 2.
     Counts,
     /// The points of a file.
@@ -56,7 +56,7 @@ impl Engine {
                 self.loaded = Some(loaded);
                 Ok(answer)
             }
-            Request::Sample(wanted) => self.curve()?.sample(wanted),
+            Request::Sample(request) => self.curve()?.sample(request),
             Request::Counts => self.curve()?.counts(),
             Request::Points { name, text } => {
                 let found = points::read(&name, &text)?;

@@ -30,7 +30,7 @@ fn with_state<T>(act: impl FnOnce(&mut State) -> T) -> T {
     act(state.get_or_insert_default())
 }
 
-/// A buffer of so many bytes for the next message: its address, or 0 if there is no memory.
+/// A buffer of `length` bytes for the next message: its address, or 0 if there is no memory.
 #[unsafe(no_mangle)]
 pub extern "C" fn curvecrust_input(length: usize) -> *mut u8 {
     with_state(|state| {

@@ -1,4 +1,4 @@
-//! Points from the text of a file: csv, text, GeoJSON and SVG, told apart by what they hold.
+//! Points from the text of a file: csv, text, GeoJSON and SVG, recognised by their content.
 //!
 //! The program reads more formats and more of each. These are the common cases of them, small
 //! enough for a page; whatever is none of them is an error in words.

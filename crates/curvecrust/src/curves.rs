@@ -10,9 +10,8 @@ use std::num::NonZeroU32;
 /// The curves that some points come from: each an open or a closed polyline through points in
 /// order.
 ///
-/// Indices are positions in the points that were given, so that whatever else the caller knows of a
-/// point can be found again. Equal input gives equal curves, whatever the order of the points, but
-/// for the names of indices.
+/// Indices are positions in the input, so that other data of a point can be found again. The order
+/// of the points changes nothing but these indices.
 ///
 /// ```
 /// use curvecrust::{DVec2, reconstruct};
@@ -55,7 +54,7 @@ pub struct Polyline {
     parent: Option<usize>,
 }
 
-/// What [`reconstruct_with`] may be asked for; the default is what [`reconstruct`] does.
+/// Options of [`reconstruct_with`]; the defaults are those of [`reconstruct`].
 ///
 /// ```
 /// use curvecrust::reconstruct::HnnCrust;
@@ -107,8 +106,8 @@ impl Default for ReconstructOptions<'_> {
 /// Orders points into the curves that they come from, open and closed, by the default algorithm,
 /// [least detour](mod@crate::reconstruct::least_detour).
 ///
-/// It takes anything that iterates over points, see [`IntoPoint`]. Nothing has to be known: neither
-/// how many curves there are nor which of them are closed. No points give no curves.
+/// It takes anything that iterates over points, see [`IntoPoint`]. It needs no parameter: it finds
+/// how many curves there are and which of them are closed. No points give no curves.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
@@ -127,11 +126,11 @@ pub fn reconstruct<P: IntoPoint>(points: impl IntoIterator<Item = P>) -> Result<
     reconstruct_with(points, &ReconstructOptions::default())
 }
 
-/// [`reconstruct`], with an algorithm, ends of open curves, or equal points.
+/// [`reconstruct`] with options: the algorithm, what is known about the curves, equal points.
 ///
 /// # Errors
-/// Those of [`reconstruct`]; [`Error::Reconstruct`] for a terminus that is no point, and for
-/// termini of an algorithm that cannot use them.
+/// Those of [`reconstruct`]; [`Error::NoSuchPoint`] for a terminus that is no point;
+/// [`Error::Reconstruct`] for knowledge that the algorithm cannot use or the points contradict.
 pub fn reconstruct_with<P: IntoPoint>(
     points: impl IntoIterator<Item = P>,
     options: &ReconstructOptions<'_>,
@@ -147,7 +146,7 @@ pub fn reconstruct_with<P: IntoPoint>(
     Ok(Curves::new(&input, &found))
 }
 
-/// The points that are reconstructed, and where they stand in what was given.
+/// The points that are reconstructed, and their positions in the input.
 struct Input {
     points: PointSet,
     /// The index of every point; empty where nothing was merged.

@@ -1,15 +1,17 @@
-//! One error for all that the crates can refuse.
+//! One error for all crates.
 
-use crate::curve::{CurveError, DenseError};
+use crate::curve::{AnalyticError, CurveError, DenseError};
+use crate::denoise::DenoiseError;
 use crate::geometry::PointSetError;
 use crate::medial_axis::MedialAxisError;
 use crate::reconstruct::ReconstructError;
 use crate::sampling::{ConditionError, SamplingError};
+use crate::tiles::TilesError;
 use thiserror::Error;
 
 /// Any error of the libraries, to return from a function that calls several of them.
 ///
-/// Each variant says what its own error says: where, which value, and what to do.
+/// Its message is that of the error inside: the place, the value, and what to do.
 ///
 /// ```
 /// use curvecrust::curve::Curve;
@@ -31,6 +33,9 @@ pub enum Error {
     /// A drawing that is no smooth curve.
     #[error(transparent)]
     Curve(#[from] CurveError),
+    /// Parameters that make no analytic curve.
+    #[error(transparent)]
+    Analytic(#[from] AnalyticError),
     /// A curve that asks for too many dense points.
     #[error(transparent)]
     Dense(#[from] DenseError),
@@ -51,7 +56,13 @@ pub enum Error {
         /// The number of points given.
         count: usize,
     },
-    /// What an algorithm cannot do.
+    /// Knowledge about the curves that an algorithm cannot use, or that the points contradict.
     #[error(transparent)]
     Reconstruct(#[from] ReconstructError),
+    /// Knowledge about noisy points that cannot be used.
+    #[error(transparent)]
+    Denoise(#[from] DenoiseError),
+    /// Samples that make no tile.
+    #[error(transparent)]
+    Tiles(#[from] TilesError),
 }

@@ -11,16 +11,16 @@
 //! [`reconstruct`](fn@reconstruct) takes anything that iterates over points and returns [`Curves`]:
 //! each an open or closed [`Polyline`] with its points in order, their indices in the input, and
 //! how closed ones lie inside each other. [`reconstruct_with`] takes [`ReconstructOptions`]:
-//! another algorithm, known ends, equal points.
+//! another algorithm, what is known about the curves, equal points.
 //!
-//! [`sample`] goes the other way, from a smooth curve to samples from which it can be
-//! reconstructed:
+//! [`sample`] goes the other way: it takes a smooth curve and returns samples that are enough to
+//! reconstruct it. For closed curves and rho < 0.888, HNN-Crust is proven to do so:
 //!
 //! ```
 //! use curvecrust::curve::Curve;
 //!
 //! let curve = Curve::from_path_data("M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S -30 20 0 0 Z")?;
-//! let samples = curvecrust::sample(&curve, 0.9)?;
+//! let samples = curvecrust::sample(&curve, 0.888)?;
 //! let curves = curvecrust::reconstruct(samples.points())?;
 //! assert!(curves.polylines()[0].is_closed());
 //! # Ok::<(), curvecrust::Error>(())
@@ -38,6 +38,7 @@
 //! | [`medial_axis`] | medial axis, local feature size, reach |
 //! | [`sampling`] | samples under the epsilon and the rho condition, and how good given samples are |
 //! | [`mod@reconstruct`] | least detour, HNN-Crust, NN-Crust, Crust and their relatives |
+//! | [`denoise`] | smooth curves through points that scatter about them, outliers aside |
 //! | [`tiles`] | HNN-Crust and NN-Crust on more points than memory holds |
 //! | [`evaluate`] | edges against the truth, Hausdorff distance |
 //!

@@ -1,4 +1,4 @@
-//! What a user has for a point.
+//! Points in the types that users have.
 
 use glam::{DVec2, Vec2};
 

@@ -4,16 +4,17 @@ use crate::curve::Curve;
 use crate::error::Error;
 use crate::sampling::{Condition, SampledCurve, sample_curve};
 
-/// Samples every component of a smooth curve so sparsely that rho-samples of this bound still are.
+/// Samples a smooth curve as sparsely as the rho condition allows.
 ///
 /// Every point of the curve between two consecutive samples is nearer to one of them than rho times
-/// the smallest local feature size between them (SGP 2016, Definition 3), certified for the whole
-/// curve and not for some of its points alone. The samples are in order along each component; both
-/// ends of an open component are samples.
+/// the smallest local feature size between them (SGP 2016, Definition 3). This is certified for the
+/// whole curve, not only for some of its points. The samples are in order along each component;
+/// both ends of an open component are samples.
 ///
-/// Up to 0.895 no smooth closed curve is known from whose samples [HNN-Crust] does not return
-/// exactly the polygon in curve order; the paper claims it for all bounds below 0.9. For the
-/// epsilon condition and other ways to sample, see [`sampling`](crate::sampling).
+/// From the samples of closed curves, [HNN-Crust] returns exactly the polygon in curve order. This
+/// project proves it for rho below 0.888; the paper claims it for rho below 0.9, but there are
+/// curves on which it fails from 0.8950 on. For the epsilon condition and other ways to sample, see
+/// [`sampling`](crate::sampling).
 ///
 /// [HNN-Crust]: crate::reconstruct::hnn_crust()
 ///

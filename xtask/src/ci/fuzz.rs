@@ -67,11 +67,11 @@ fn fuzz(workspace: &Path, program: &Path, target: &str) -> anyhow::Result<Option
     }
     let output = command.output();
     let output = output.with_context(|| format!("cannot start {}", program.display()))?;
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
-        return Ok(Some(said.into_owned()));
+        return Ok(Some(message.into_owned()));
     }
-    let done = said.lines().rfind(|line| line.contains("DONE"));
+    let done = message.lines().rfind(|line| line.contains("DONE"));
     eprintln!("   {}", done.unwrap_or_default().trim());
     Ok(None)
 }

@@ -99,7 +99,7 @@ fn build() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The instructions of so many runs of a kernel, and of all around them.
+/// The instructions of `runs` runs of a kernel, and of all around them.
 fn count(kernel: &str, runs: u32) -> anyhow::Result<f64> {
     let out = "--callgrind-out-file=/dev/null";
     let output = Command::new("valgrind")

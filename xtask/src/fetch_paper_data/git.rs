@@ -50,12 +50,12 @@ fn succeed(command: &mut Command) -> anyhow::Result<()> {
         }
         output => output.context("cannot start git")?,
     };
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     ensure!(
         output.status.success(),
         "git failed ({}): {}",
         output.status,
-        said.trim()
+        message.trim()
     );
     Ok(())
 }

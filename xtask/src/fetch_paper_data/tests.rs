@@ -109,10 +109,10 @@ fn a_folder_that_lacks_files_names_them_all() {
     let dir = laid_out();
     fs::remove_file(dir.path().join("curves/cat.svg")).unwrap();
     fs::remove_file(dir.path().join("points/mushroom.p2d")).unwrap();
-    let said = failure(read(dir.path()));
+    let message = failure(read(dir.path()));
     assert!(
-        said.ends_with("lacks curves/cat.svg, points/mushroom.p2d"),
-        "{said}"
+        message.ends_with("lacks curves/cat.svg, points/mushroom.p2d"),
+        "{message}"
     );
 }
 
@@ -130,8 +130,11 @@ fn bad_files_of_a_folder_are_named() {
     for (name, text, reason) in bad {
         let dir = laid_out();
         put(dir.path(), name, text);
-        let said = failure(read(dir.path()));
-        assert!(said.contains(name) && said.contains(reason), "{said}");
+        let message = failure(read(dir.path()));
+        assert!(
+            message.contains(name) && message.contains(reason),
+            "{message}"
+        );
     }
 }
 
@@ -142,37 +145,40 @@ fn bad_clones_say_what_is_missing() {
         put(dir.path(), SOURCE, &source().replace(from, to));
         failure(read(dir.path()))
     };
-    let said = without("*teaser", "*teapot");
+    let message = without("*teaser", "*teapot");
     assert!(
-        said.contains(SOURCE) && said.contains("no string literal named teaser"),
-        "{said}"
+        message.contains(SOURCE) && message.contains("no string literal named teaser"),
+        "{message}"
     );
-    let said = without("cat[] = \"M0", "cat[] = \"Miaow");
-    assert!(said.contains("the string cat is no curve"), "{said}");
-    let said = without("title = \"bunny\"", "bunny = \"m 0,0 l 1,1\"");
-    assert!(said.contains("several path strings named bunny"), "{said}");
+    let message = without("cat[] = \"M0", "cat[] = \"Miaow");
+    assert!(message.contains("the string cat is no curve"), "{message}");
+    let message = without("title = \"bunny\"", "bunny = \"m 0,0 l 1,1\"");
+    assert!(
+        message.contains("several path strings named bunny"),
+        "{message}"
+    );
 
     let dir = clone();
     fs::remove_file(dir.path().join("data/deep/down/ventilator.p2d")).unwrap();
-    let said = failure(read(dir.path()));
-    assert!(said.contains("no ventilator.p2d anywhere"), "{said}");
+    let message = failure(read(dir.path()));
+    assert!(message.contains("no ventilator.p2d anywhere"), "{message}");
 }
 
 #[test]
 fn a_folder_that_is_none_or_something_else() {
     let dir = tempfile::tempdir().unwrap();
-    let said = failure(read(&dir.path().join("nowhere")));
+    let message = failure(read(&dir.path().join("nowhere")));
     assert!(
-        said.contains("cannot read the folder") && said.contains("nowhere"),
-        "{said}"
+        message.contains("cannot read the folder") && message.contains("nowhere"),
+        "{message}"
     );
     put(dir.path(), "file", "");
-    let said = failure(read(&dir.path().join("file")));
-    assert!(said.contains("cannot read the folder"), "{said}");
-    let said = failure(read(dir.path()));
+    let message = failure(read(&dir.path().join("file")));
+    assert!(message.contains("cannot read the folder"), "{message}");
+    let message = failure(read(dir.path()));
     assert!(
-        said.contains("neither a clone") && said.contains(SOURCE),
-        "{said}"
+        message.contains("neither a clone") && message.contains(SOURCE),
+        "{message}"
     );
 }
 
@@ -183,10 +189,10 @@ fn files_of_another_origin_are_kept() {
     let files = read(clone().path()).unwrap();
     install(&files, &target, false).unwrap();
     put(&target, "curves/mine.svg", "mine");
-    let said = failure(install(&files, &target, false));
+    let message = failure(install(&files, &target, false));
     assert!(
-        said.contains("mine.svg") && said.contains("--force"),
-        "{said}"
+        message.contains("mine.svg") && message.contains("--force"),
+        "{message}"
     );
     assert!(target.join("curves/mine.svg").is_file());
     assert!(install(&files, &target, true).unwrap());
@@ -204,8 +210,8 @@ fn a_failed_write_leaves_the_old_folder_and_nothing_else() {
         (String::from("NOTE.md"), String::new()),
         (String::from("NOTE.md/x"), String::new()),
     ];
-    let said = failure(install(&impossible, &target, true));
-    assert!(said.contains("cannot write"), "{said}");
+    let message = failure(install(&impossible, &target, true));
+    assert!(message.contains("cannot write"), "{message}");
     assert_eq!(read(&target).unwrap(), files);
     assert_eq!(fs::read_dir(there.path()).unwrap().count(), 1);
 }
@@ -249,8 +255,8 @@ fn the_commit_is_fetched_not_the_newest_state() {
         commit,
     };
     assert_eq!(fetch(&repository(&first)).unwrap().len(), 8);
-    let said = failure(fetch(&repository("0000000")));
-    assert!(said.contains("checking out 0000000"), "{said}");
+    let message = failure(fetch(&repository("0000000")));
+    assert!(message.contains("checking out 0000000"), "{message}");
     assert!(failure(fetch(&repository("HEAD"))).contains("no crocodile-conf.p2d"));
 }
 
@@ -259,15 +265,15 @@ fn without_git_or_network_it_says_what_to_do_by_hand() {
     let dir = tempfile::tempdir().unwrap();
     let nowhere = dir.path().join("nowhere");
     for (git, reason) in [("git-that-is-not-there", "no git"), ("git", "cloning")] {
-        let said = failure(fetch(&Repository {
+        let message = failure(fetch(&Repository {
             git,
             url: nowhere.to_str().unwrap(),
             commit: "ef67f83",
         }));
-        assert!(said.contains(reason), "{said}");
+        assert!(message.contains(reason), "{message}");
         assert!(
-            said.contains("\n  git clone") && said.contains("--from DIR"),
-            "{said}"
+            message.contains("\n  git clone") && message.contains("--from DIR"),
+            "{message}"
         );
     }
 }

@@ -8,8 +8,8 @@ use std::path::PathBuf;
 
 /// Fit smooth curves to points that scatter about them, some of which belong to none
 ///
-/// Nothing has to be known: how far points scatter, which of them are outliers and how many curves
-/// there are is found. Points that do not scatter are joined as by `reconstruct`.
+/// It needs no parameter: it estimates how far points scatter, which of them are outliers and how
+/// many curves there are. Points that do not scatter are joined as by `reconstruct`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples: smooth curves of a noisy scan as cubic Béziers; the same as lines for a map, and the points
@@ -20,7 +20,7 @@ pub(crate) struct Fit {
     #[command(flatten)]
     pub(crate) points: Points,
     #[command(flatten)]
-    pub(crate) told: Told,
+    pub(crate) known: FitKnown,
     /// How far lines may be from the curves, in all formats but SVG and JSON: a length [default: a
     /// twentieth of the points' deviation]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
@@ -38,7 +38,7 @@ pub(crate) struct Fit {
 
 /// What the user knows about curves that points scatter about.
 #[derive(Debug, clap::Args)]
-pub(crate) struct Told {
+pub(crate) struct FitKnown {
     /// No curve ends
     #[arg(long)]
     pub(crate) closed: bool,
@@ -53,12 +53,12 @@ pub(crate) struct Told {
     pub(crate) sigma: Option<f64>,
 }
 
-impl From<Told> for Options {
-    fn from(told: Told) -> Self {
+impl From<FitKnown> for Options {
+    fn from(known: FitKnown) -> Self {
         Self {
-            shape: shape(told.closed, told.open),
-            curves: told.curves,
-            sigma: told.sigma,
+            shape: shape(known.closed, known.open),
+            curves: known.curves,
+            sigma: known.sigma,
         }
     }
 }

@@ -13,7 +13,7 @@ pub(crate) struct Known {
     /// No curve is closed; with `--curves 1`, points are sorted along a line
     #[arg(long, conflicts_with = "closed")]
     pub(crate) open: bool,
-    /// So many curves go through all points; one closed curve is a simple polygon
+    /// How many curves there are, which go through all points; one closed curve is a simple polygon
     #[arg(long, value_name = "N")]
     pub(crate) curves: Option<NonZeroU32>,
     /// The point at this position of the input, counted from 0, is the end of an open curve

@@ -5,7 +5,7 @@ use super::{Curve, Distance, Output};
 
 /// Make a connect-the-closest-dot puzzle of the curves of an SVG
 ///
-/// Each dot has one colour or more. Who solves the puzzle joins each dot with the closest other dot
+/// Each dot has one colour or more. To solve the puzzle, join each dot with the closest other dot
 /// of its colour, and a dot of several colours once for each of them. That draws the curves again.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -32,7 +32,7 @@ pub(crate) struct Puzzle {
     /// larger, the easier to solve, by more dots and colours
     #[arg(long, value_name = "PERCENT", default_value = "10%", value_parser = percent)]
     pub(crate) margin: f64,
-    /// Take a new colour where those there are would make a step shorter than this share of what
+    /// Take a new colour where the colours so far would make a step shorter than this share of what
     /// --max-distance allows: the larger, the fewer dots and the more colours
     #[arg(long, value_name = "PERCENT", default_value = "50%", value_parser = percent)]
     pub(crate) least_step: f64,

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 /// Where and how points are reconstructed that memory cannot hold.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Tiles {
-    /// Work tile by tile in this folder, within limited memory; a run that was stopped goes on
-    /// where it was. For hnn-crust and nn-crust, from npy to npy
+    /// Work tile by tile in this folder, within limited memory; a run that was stopped
+    /// continues. For hnn-crust and nn-crust, from npy to npy
     #[arg(
         long,
         value_name = "FOLDER",

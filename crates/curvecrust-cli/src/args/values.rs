@@ -31,7 +31,7 @@ pub(crate) enum Corners {
 /// What is done where strokes touch or cross.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Strokes {
-    /// Sample all together; where any touch, cut; where that does not do, apart
+    /// Sample all together; cut those that touch; if that fails, sample each apart
     Auto,
     /// Refuse strokes that touch or cross, naming the place
     Together,

@@ -75,11 +75,11 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
         ),
     };
     let argued = if entry.argued {
-        ". The definition is argued: the publication could not be had"
+        ". The definition is argued: the publication was not available"
     } else {
         ""
     };
-    let told = match (entry.honours_known, entry.honours_termini) {
+    let options = match (entry.honours_known, entry.honours_termini) {
         (true, true) => "; takes --closed, --open, --curves and --terminus",
         (true, false) => "; takes --closed, --open and --curves",
         (false, true) => "; takes --terminus",
@@ -88,5 +88,5 @@ fn write(out: &mut dyn Write, info: AlgorithmInfo) -> io::Result<()> {
     writeln!(out, "{}", entry.name)?;
     writeln!(out, "    {}{argued}", entry.citation)?;
     writeln!(out, "    for curves: {}", info.scope)?;
-    writeln!(out, "    {guarantees}; {}{told}", entry.cost)
+    writeln!(out, "    {guarantees}; {}{options}", entry.cost)
 }

@@ -3,7 +3,7 @@
 use crate::console::Console;
 use crate::format::Format;
 use crate::number::Number;
-use crate::points::{self, ColumnNames, System, Wanted};
+use crate::points::{self, ColumnNames, ReadOptions, System};
 use crate::{args, args::Distance, input};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
@@ -18,7 +18,7 @@ pub(crate) struct PointSource {
     path: PathBuf,
     /// `None`: the format of the name, else of the content.
     format: Option<Format>,
-    wanted: Wanted,
+    options: ReadOptions,
     duplicates: Duplicates,
 }
 
@@ -80,7 +80,7 @@ impl PointSource {
         Self {
             path,
             format: from,
-            wanted: Wanted {
+            options: ReadOptions {
                 columns: x.zip(y).map(|(x, y)| ColumnNames { x, y }),
                 vertices,
                 heights: false,
@@ -92,7 +92,7 @@ impl PointSource {
 
     /// The same with the heights of the points, all of which must have one.
     pub(crate) fn with_heights(mut self) -> Self {
-        self.wanted.heights = true;
+        self.options.heights = true;
         self
     }
 
@@ -101,9 +101,9 @@ impl PointSource {
         Self {
             path,
             format: None,
-            wanted: Wanted {
+            options: ReadOptions {
                 termini: true,
-                ..Wanted::default()
+                ..ReadOptions::default()
             },
             duplicates: Duplicates::Merge,
         }
@@ -118,7 +118,7 @@ impl PointSource {
     pub(crate) fn read(&self, console: &Console) -> anyhow::Result<BarePoints> {
         let name = self.name();
         let list = console.during(&format!("reading {name}"), |_| {
-            points::read(&self.path, self.format, &self.wanted)
+            points::read(&self.path, self.format, &self.options)
         })?;
         let points::PointList {
             points: rows,

@@ -35,7 +35,7 @@ struct Object {
 #[derive(Serialize)]
 struct Violation {
     component: usize,
-    /// The samples around it, by their position in the input; none where the curve has none.
+    /// The samples around it, by their position in the input; `None` if the curve has no sample.
     samples: [Option<u32>; 2],
     value: Bounds,
     /// The worst point.

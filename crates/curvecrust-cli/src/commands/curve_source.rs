@@ -89,7 +89,7 @@ impl CurveSource {
         self.discretisation
     }
 
-    /// Reads curves, split at their corners unless those are refused, and tells of joined gaps.
+    /// Reads curves, split at their corners unless those are refused, and notes joined gaps.
     pub(super) fn read(&self, console: &Console) -> anyhow::Result<SplitCurve> {
         let drawing = self.drawing(console)?;
         let drawing = self.drawing.get_or_init(|| drawing);
@@ -130,7 +130,7 @@ impl CurveSource {
         self.corners == Corners::Split
     }
 
-    /// Cuts strokes where they touch or cross, and tells of it.
+    /// Cuts strokes where they touch or cross.
     pub(super) fn cut(&self, split: &SplitCurve) -> anyhow::Result<Strands> {
         strands(split).map_err(|error| self.named(error))
     }
@@ -184,7 +184,7 @@ impl CurveSource {
         error.context(self.name())
     }
 
-    /// Reads what is drawn, and tells of what draws nothing.
+    /// Reads what is drawn, and notes elements that draw nothing.
     fn drawing(&self, console: &Console) -> anyhow::Result<Drawing> {
         let drawing = Drawing::selected(&self.text()?, &self.selection);
         let drawing = drawing.with_context(|| self.name())?;

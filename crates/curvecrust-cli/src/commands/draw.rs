@@ -1,4 +1,4 @@
-//! `curvecrust draw`: pictures of curves, points and what is found from them.
+//! `curvecrust draw`: pictures of curves, points and their reconstruction.
 
 use super::bare_points::{BarePoints, PointSource};
 use super::curve_source::CurveSource;

@@ -7,26 +7,10 @@ use super::{Outcome, reconstruct};
 use crate::args;
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Layer, Output, Picture, Results};
+use crate::output::{GEOMETRIES, Layer, Output, Picture, Results};
 use anyhow::ensure;
 use curvecrust::denoise::{Fitted, Options, denoise_with};
 use result::{Found, Lines, Summary};
-
-/// The formats of fitted curves, the one of stdout first.
-const FORMATS: &[Format] = &[
-    Format::Csv,
-    Format::Json,
-    Format::Geojson,
-    Format::Wkt,
-    Format::Wkb,
-    Format::Gpx,
-    #[cfg(feature = "flatgeobuf")]
-    Format::Flatgeobuf,
-    #[cfg(feature = "parquet")]
-    Format::Parquet,
-    Format::Dxf,
-    Format::Svg,
-];
 
 /// By default lines are within this share of the deviation of the points from their curve.
 const TOLERANCE: f64 = 0.05;
@@ -55,9 +39,9 @@ impl Job {
             .inliers
             .map(|path| Output::new(Some(path), Some(Format::Csv), force, &[Format::Csv]));
         Ok(Self {
-            results: Results::new(args.output, args.json, FORMATS)?,
+            results: Results::new(args.output, args.json, GEOMETRIES)?,
             points: args.points.into(),
-            options: args.told.into(),
+            options: args.known.into(),
             tolerance: args.tolerance,
             inliers: inliers.transpose()?,
         })

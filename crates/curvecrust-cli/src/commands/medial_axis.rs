@@ -6,29 +6,14 @@ use crate::args;
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{
-    Attribute, Attributes, Feature, Kind, Layer, Number, Output, Picture, Results, Shape,
+    Attribute, Attributes, Feature, GEOMETRIES, Kind, Layer, Number, Output, Picture, Results,
+    Shape,
 };
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
 use curvecrust::medial_axis::MedialAxis;
 use serde::Serialize;
 use std::io::{self, Write};
-
-/// The formats of a medial axis, the one of stdout first.
-const FORMATS: &[Format] = &[
-    Format::Csv,
-    Format::Json,
-    Format::Geojson,
-    Format::Wkt,
-    Format::Wkb,
-    Format::Gpx,
-    #[cfg(feature = "flatgeobuf")]
-    Format::Flatgeobuf,
-    #[cfg(feature = "parquet")]
-    Format::Parquet,
-    Format::Dxf,
-    Format::Svg,
-];
 
 /// What `--json` prints; the schema is stable, and in `docs/formats.md`.
 #[derive(Serialize)]
@@ -58,7 +43,7 @@ pub(crate) struct Job {
 impl Job {
     pub(crate) fn new(args: args::MedialAxis) -> anyhow::Result<Self> {
         Ok(Self {
-            results: Results::new(args.output, args.json, FORMATS)?,
+            results: Results::new(args.output, args.json, GEOMETRIES)?,
             curve: args.curve.into(),
         })
     }

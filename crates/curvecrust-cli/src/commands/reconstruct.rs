@@ -12,7 +12,7 @@ use super::bare_points::{BarePoints, PointSource};
 use crate::args::{self, Algorithm, Keep};
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Layer, Output, Picture, Results, npy};
+use crate::output::{GEOMETRIES, Layer, Output, Picture, Results, npy};
 use anyhow::{Context, bail};
 use curvecrust::geometry::{EdgeSet, PointSet};
 use curvecrust::reconstruct::{
@@ -21,23 +21,6 @@ use curvecrust::reconstruct::{
 use result::Found;
 pub(crate) use result::paths;
 use summary::Summary;
-
-/// The formats of a reconstruction, the one of stdout first.
-const FORMATS: &[Format] = &[
-    Format::Csv,
-    Format::Json,
-    Format::Geojson,
-    Format::Wkt,
-    Format::Wkb,
-    Format::Gpx,
-    #[cfg(feature = "flatgeobuf")]
-    Format::Flatgeobuf,
-    #[cfg(feature = "parquet")]
-    Format::Parquet,
-    Format::Dxf,
-    Format::Svg,
-    Format::Npy,
-];
 
 /// Which points are reconstructed and how, and where the curves go.
 #[derive(Debug)]
@@ -52,7 +35,8 @@ pub(crate) struct Job {
 
 impl Job {
     pub(crate) fn new(args: args::Reconstruct) -> anyhow::Result<Self> {
-        let results = Results::new(args.output, args.json, FORMATS)?;
+        let formats = [GEOMETRIES, &[Format::Npy]].concat();
+        let results = Results::new(args.output, args.json, &formats)?;
         let mut points = PointSource::from(args.points);
         if args.keep == Some(Keep::Z) {
             let flat = [Format::Svg, Format::Npy];

@@ -10,7 +10,7 @@ use super::guarantee::{Guaranteed, open_curves};
 use crate::args::{self, Algorithm, Count, Strokes};
 use crate::console::Console;
 use crate::format::Format;
-use crate::output::{Number, Results};
+use crate::output::{GEOMETRIES, Number, Results};
 use anyhow::{Context, anyhow, bail};
 use curvecrust::DVec2;
 use curvecrust::curve::{Curve, SplitCurve};
@@ -22,24 +22,6 @@ use curvecrust::sampling::{
     decode, on_strokes, sample, sample_curve_with, sample_decoded_with, sample_fewest_with,
     sample_verified_with,
 };
-
-/// The formats of samples, the one of stdout first.
-const FORMATS: &[Format] = &[
-    Format::Csv,
-    Format::Text,
-    Format::Json,
-    Format::Geojson,
-    Format::Wkt,
-    Format::Wkb,
-    Format::Gpx,
-    #[cfg(feature = "flatgeobuf")]
-    Format::Flatgeobuf,
-    #[cfg(feature = "parquet")]
-    Format::Parquet,
-    Format::Dxf,
-    Format::Svg,
-    Format::Npy,
-];
 
 /// Which curves are sampled and how, and where the samples go.
 #[derive(Debug)]
@@ -54,7 +36,8 @@ pub(crate) struct Job {
 
 impl Job {
     pub(crate) fn new(args: args::Sample) -> anyhow::Result<Self> {
-        let results = Results::new(args.output, args.json, FORMATS)?;
+        let formats = [GEOMETRIES, &[Format::Text, Format::Npy]].concat();
+        let results = Results::new(args.output, args.json, &formats)?;
         let requirement = Requirement::new(&args.condition)?;
         let curve = CurveSource::from(args.curve);
         Ok(Self {

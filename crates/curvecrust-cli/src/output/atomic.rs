@@ -125,7 +125,7 @@ impl Target {
 }
 
 /// Writes through a buffer, and reports whether everything was taken. A reader that closes its end
-/// of a pipe has had enough: what is left is not written, and that is no error.
+/// of a pipe has had enough: the rest is not written, and that is no error.
 pub(super) fn buffered(
     out: impl Write + Send,
     content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,

@@ -53,11 +53,11 @@ pub(super) fn write<'a, P: Attributes>(
             let message = format!("flatgeobuf holds at most {MOST} points of one curve");
             return Err(io::Error::other(message));
         }
-        let mut told = Ok(());
+        let mut written = Ok(());
         let added = writer.add_feature_geom(Geometry(&shape), |feature| {
-            told = tell(feature, &properties);
+            written = write_properties(feature, &properties);
         });
-        added.and(told).map_err(io::Error::other)?;
+        added.and(written).map_err(io::Error::other)?;
     }
     writer.write(out).map_err(failure)
 }
@@ -91,7 +91,10 @@ fn definition(system: &System) -> FgbCrs<'_> {
     }
 }
 
-fn tell<P: Attributes>(feature: &mut impl PropertyProcessor, properties: &P) -> GeozeroResult<()> {
+fn write_properties<P: Attributes>(
+    feature: &mut impl PropertyProcessor,
+    properties: &P,
+) -> GeozeroResult<()> {
     let columns = P::COLUMNS.iter().zip(properties.values());
     for (index, ((name, _), value)) in columns.enumerate() {
         let value = match value {

@@ -111,7 +111,7 @@ fn starts_geometry(line: &[u8]) -> bool {
 }
 
 /// Whether a line is well-known binary in hexadecimal digits, as databases print it: an order of
-/// bytes, 0 or 1, and so many digits that they are no number.
+/// bytes, 0 or 1, and more digits than a number has.
 fn starts_hexadecimal(line: &[u8]) -> bool {
     line.len() > 30
         && (line.starts_with(b"00") || line.starts_with(b"01"))

@@ -6,7 +6,7 @@
 
 use super::gathered::{Gathered, Vertex};
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 use flatgeobuf::{FgbReader, Geometry, GeometryType, Header, size_prefixed_root_as_feature};
 use std::io::{self, BufRead, ErrorKind, Read};
 
@@ -24,8 +24,8 @@ struct Layer {
     has_measures: bool,
 }
 
-pub(super) fn read(mut input: impl BufRead, wanted: &Wanted) -> Result<PointList, Flaw> {
-    let mut found = Gathered::new(wanted);
+pub(super) fn read(mut input: impl BufRead, options: &ReadOptions) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(options);
     let layer = {
         let reader = FgbReader::open(&mut input);
         let reader =
@@ -107,7 +107,7 @@ impl Layer {
     }
 }
 
-/// Bytes of the tree over the features, whose nodes have so many children.
+/// Bytes of the tree over the features, whose nodes have `node` children each.
 fn tree(features: u64, node: u16) -> Option<u64> {
     let (mut level, mut nodes) = (features, features);
     if node == 0 || features == 0 {

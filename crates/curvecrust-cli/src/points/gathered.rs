@@ -4,7 +4,7 @@
 use super::heights::Heights;
 use super::system::{DEGREES, System};
 use super::value::in_double_range;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 use curvecrust::DVec2;
 
 /// Reference systems that a note names; what has more is no map.
@@ -30,12 +30,12 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    pub(super) fn new(wanted: &Wanted) -> Self {
+    pub(super) fn new(options: &ReadOptions) -> Self {
         Self {
             points: Vec::new(),
-            vertices: wanted.vertices,
+            vertices: options.vertices,
             place: Place::File,
-            heights: Heights::new(wanted),
+            heights: Heights::new(options),
             has_measures: false,
             closed_lines: 0,
             systems: Vec::new(),

@@ -4,12 +4,12 @@
 use super::gathered::{Gathered, Vertex};
 use super::json_text::parse;
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 use geojson::{GeoJson, Geometry, GeometryValue, Position};
 use serde_json::Value;
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
-    let mut found = Gathered::new(wanted);
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(options);
     found.go_to(Place::Position(None, 0));
     match parse(bytes)? {
         GeoJson::Geometry(geometry) => collect(&mut found, &geometry)?,

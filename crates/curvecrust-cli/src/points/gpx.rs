@@ -4,11 +4,11 @@
 use super::gathered::Gathered;
 use super::system::System;
 use super::xml::{Lines, with_root};
-use super::{Flaw, PointList, Problem, Wanted, coordinate};
+use super::{Flaw, PointList, Problem, ReadOptions, coordinate};
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
     let document = with_root(bytes, "gpx", || Problem::NotGpx)?;
-    let mut found = Gathered::new(wanted);
+    let mut found = Gathered::new(options);
     found.note("x is the longitude, y the latitude");
     found.system(System::of_longitudes("WGS 84"));
     let lines = Lines::new(&document);

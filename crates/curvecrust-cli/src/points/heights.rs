@@ -1,8 +1,8 @@
-//! Heights on the way through a file: kept where they are wanted, else only noticed.
+//! Heights on the way through a file: kept on request, else only noticed.
 
 use super::quote::quoted;
 use super::value::number;
-use super::{Problem, Wanted};
+use super::{Problem, ReadOptions};
 use crate::number::Number;
 
 /// What notes say of points with more than two numbers.
@@ -17,15 +17,15 @@ pub(super) struct Heights {
 }
 
 impl Heights {
-    pub(super) fn new(wanted: &Wanted) -> Self {
+    pub(super) fn new(options: &ReadOptions) -> Self {
         Self {
-            kept: wanted.heights.then(Vec::new),
+            kept: options.heights.then(Vec::new),
             any: false,
         }
     }
 
     /// Whether they are kept.
-    pub(super) fn are_wanted(&self) -> bool {
+    pub(super) fn are_kept(&self) -> bool {
         self.kept.is_some()
     }
 
@@ -50,7 +50,7 @@ impl Heights {
     ) -> Result<Option<f64>, Problem> {
         let Some(word) = word else { return Ok(None) };
         match number(word, has_decimal_commas) {
-            None if self.are_wanted() => Err(Problem::NotANumber(quoted(word))),
+            None if self.are_kept() => Err(Problem::NotANumber(quoted(word))),
             height => Ok(height),
         }
     }

@@ -6,7 +6,7 @@ use super::columns::{HEIGHTS, KNOWN, is_longitude};
 use super::heights::Heights;
 use super::json_text::parse;
 use super::system::DEGREES;
-use super::{Flaw, Place, PointList, Problem, Wanted, geojson, in_double_range};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, geojson, in_double_range};
 use curvecrust::DVec2;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -46,22 +46,22 @@ enum Dimension {
     Three,
 }
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
     let mut termini = None;
     let found: Points = if bytes.trim_ascii_start().starts_with(b"[") {
         parse(bytes)?
     } else {
         let object: Object = parse(bytes)?;
-        termini = object.termini.filter(|_| wanted.termini);
+        termini = object.termini.filter(|_| options.termini);
         match (object.r#type, object.points, object.samples) {
-            (Some(_), ..) => return geojson::read(bytes, wanted),
+            (Some(_), ..) => return geojson::read(bytes, options),
             (None, Some(points), None) | (None, None, Some(points)) => points,
             (None, None, None) => return Err(Problem::NoArray.into()),
             (None, Some(_), Some(_)) => return Err(Problem::TwoArrays.into()),
         }
     };
     let Points { points, kind } = found;
-    let mut heights = Heights::new(wanted);
+    let mut heights = Heights::new(options);
     for index in 0..points.len() {
         let height = kind.heights.get(index).filter(|height| !height.is_nan());
         let taken = heights.take(height.copied());

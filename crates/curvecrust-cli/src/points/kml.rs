@@ -5,12 +5,12 @@ use super::gathered::{Gathered, Vertex};
 use super::system::System;
 use super::value::coordinate;
 use super::xml::{Lines, with_root};
-use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, quoted};
 use roxmltree::Node;
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
     let document = with_root(bytes, "kml", || Problem::NotKml)?;
-    let mut found = Gathered::new(wanted);
+    let mut found = Gathered::new(options);
     found.note("x is the longitude, y the latitude");
     found.system(System::of_longitudes("WGS 84"));
     let lines = Lines::new(&document);

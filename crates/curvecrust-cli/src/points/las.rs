@@ -12,7 +12,7 @@ pub(crate) use apart::serve;
 
 use super::gathered::Gathered;
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 use crate::input::{Seekable, Source};
 use apart::Decoder;
 use las::crs::GeoTiffData;
@@ -33,8 +33,8 @@ enum Part<'a> {
     Points(&'a [[f64; 3]]),
 }
 
-pub(super) fn read(source: Source, wanted: &Wanted) -> Result<PointList, Flaw> {
-    let mut found = Gathered::new(wanted);
+pub(super) fn read(source: Source, options: &ReadOptions) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(options);
     let mut done = 0;
     let mut take = |part: Part<'_>| {
         match part {

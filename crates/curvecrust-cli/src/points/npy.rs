@@ -8,7 +8,7 @@ mod header;
 mod rows;
 
 use super::heights::Heights;
-use super::{Flaw, Place, PointList, Problem, Wanted, in_double_range};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, in_double_range};
 use curvecrust::DVec2;
 use header::{Header, Number};
 pub(crate) use rows::Rows;
@@ -17,7 +17,7 @@ use std::io::{ErrorKind, Read};
 /// Numbers read at once.
 const CHUNK: usize = 8192;
 
-pub(super) fn read(mut reader: impl Read, wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(mut reader: impl Read, options: &ReadOptions) -> Result<PointList, Flaw> {
     let header = header::read(&mut reader)?;
     let Header { rows, columns, .. } = header;
     if columns < 2 || rows > u32::MAX as usize {
@@ -25,7 +25,7 @@ pub(super) fn read(mut reader: impl Read, wanted: &Wanted) -> Result<PointList, 
     }
     // A header may promise more than follows: no more is reserved than was read.
     let mut points: Vec<DVec2> = Vec::new();
-    let mut heights = Heights::new(wanted);
+    let mut heights = Heights::new(options);
     let mut index = 0;
     each_number(&mut reader, &header, |value| {
         let (row, column) = if header.by_columns {
@@ -49,7 +49,7 @@ pub(super) fn read(mut reader: impl Read, wanted: &Wanted) -> Result<PointList, 
         Ok(())
     })?;
     settle_end(&mut reader, &header)?;
-    if heights.are_wanted() && columns < 3 {
+    if heights.are_kept() && columns < 3 {
         return Err(Problem::NoHeight.into());
     }
     Ok(PointList::new(points, heights))

@@ -5,7 +5,7 @@ mod bounded;
 
 use super::columns::{ColumnNames, HEIGHTS, KNOWN};
 use super::quote::{left_out, listed};
-use super::{Flaw, PointList, Problem, Wanted, npy, quoted};
+use super::{Flaw, PointList, Problem, ReadOptions, npy, quoted};
 use crate::input::Seekable;
 use bounded::Bounded;
 use curvecrust::DVec2;
@@ -27,21 +27,21 @@ enum Choice {
     Columns(usize, usize),
 }
 
-pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(source: Seekable, options: &ReadOptions) -> Result<PointList, Flaw> {
     let size = source.size()?;
     let mut archive = ZipArchive::new(BufReader::new(source)).map_err(flaw)?;
     let names_of = (0..archive.len()).filter_map(|index| archive.name_for_index(index));
     let arrays = names_of.map(|name| name.map(|name| stem(&name)).map_err(flaw));
     let arrays: Vec<String> = arrays.collect::<Result<_, _>>()?;
-    let choice = choose(&arrays, wanted.columns.as_ref())?;
+    let choice = choose(&arrays, options.columns.as_ref())?;
     let (mut list, taken) = match choice {
         Choice::Rows(index) => {
             let list = within(&mut archive, index, &arrays, size, |array| {
-                npy::read(array, wanted)
+                npy::read(array, options)
             })?;
             (list, vec![index])
         }
-        Choice::Columns(x, y) => columns(&mut archive, [x, y], &arrays, size, wanted)?,
+        Choice::Columns(x, y) => columns(&mut archive, [x, y], &arrays, size, options)?,
     };
     list.notes.extend(note(&arrays, choice, &taken));
     Ok(list)
@@ -53,7 +53,7 @@ fn columns(
     [x, y]: [usize; 2],
     arrays: &[String],
     size: u64,
-    wanted: &Wanted,
+    options: &ReadOptions,
 ) -> Result<(PointList, Vec<usize>), Flaw> {
     let mut read = |index: usize| {
         let read = |array: &mut dyn Read| npy::read_column(array);
@@ -72,7 +72,7 @@ fn columns(
     let ys = of_length(y, read(y)?)?;
     let mut taken = vec![x, y];
     let mut heights = None;
-    if wanted.heights {
+    if options.heights {
         let is_height = |name: &str| {
             HEIGHTS
                 .iter()

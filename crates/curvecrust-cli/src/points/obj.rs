@@ -1,12 +1,12 @@
 //! Wavefront OBJ: the x and y of all vertices, which are lines of a `v` and numbers.
 
 use super::heights::Heights;
-use super::{Flaw, Place, PointList, Problem, Wanted, coordinate, quoted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, coordinate, quoted};
 use curvecrust::DVec2;
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
     let mut points = Vec::new();
-    let mut heights = Heights::new(wanted);
+    let mut heights = Heights::new(options);
     for (line, text) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
         let mut words = text
             .split(u8::is_ascii_whitespace)

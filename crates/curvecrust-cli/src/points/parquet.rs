@@ -10,7 +10,7 @@ mod schema;
 use super::columns::Columns;
 use super::gathered::Gathered;
 use super::records::Records;
-use super::{Flaw, Place, PointList, Problem, Wanted, wkb};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, wkb};
 use crate::input::Seekable;
 use chunks::Chunks;
 use geo::{Encoding, Geo};
@@ -35,14 +35,14 @@ struct Reader {
     size: u64,
 }
 
-pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(source: Seekable, options: &ReadOptions) -> Result<PointList, Flaw> {
     let chunks = Chunks::new(source)?;
     let (most, size) = (chunks.most(), chunks.len());
-    let mut options = ReadOptionsBuilder::new();
+    let mut reading = ReadOptionsBuilder::new();
     if let Some(schema) = schema::of(&chunks)? {
-        options = options.with_parquet_schema(schema);
+        reading = reading.with_parquet_schema(schema);
     }
-    let file = SerializedFileReader::new_with_options(chunks, options.build()).map_err(flaw)?;
+    let file = SerializedFileReader::new_with_options(chunks, reading.build()).map_err(flaw)?;
     let reader = Reader { file, size };
     let metadata = reader.file.metadata();
     let rows = metadata.row_groups().iter().map(|group| group.num_rows());
@@ -51,8 +51,8 @@ pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw>
     if rows.saturating_mul(16) > most {
         return Err(Problem::Promise { points: rows }.into());
     }
-    let mut found = Gathered::new(wanted);
-    let geo = match &wanted.columns {
+    let mut found = Gathered::new(options);
+    let geo = match &options.columns {
         Some(_) => None,
         None => geo::of(metadata.file_metadata())?,
     };
@@ -79,17 +79,17 @@ pub(super) fn read(source: Seekable, wanted: &Wanted) -> Result<PointList, Flaw>
         }
         None => {
             let header = Header::of(schema);
-            let columns = Columns::of_header(&header, wanted.columns.as_ref());
+            let columns = Columns::of_header(&header, options.columns.as_ref());
             let columns = columns.and_then(|columns| {
-                columns.ok_or_else(|| super::columns::not_found(&header, wanted.columns.as_ref()))
+                columns.ok_or_else(|| super::columns::not_found(&header, options.columns.as_ref()))
             });
             // A table without lines.
             let columns = columns.map_err(|flaw| Flaw::from(flaw.problem))?;
-            if let Some(note) = columns.note(&header, wanted.heights) {
+            if let Some(note) = columns.note(&header, options.heights) {
                 found.note(note);
             }
             let leaf = |column: usize| header.columns[column].0;
-            let height = columns.z.filter(|_| wanted.heights).map(leaf);
+            let height = columns.z.filter(|_| options.heights).map(leaf);
             points(
                 &reader,
                 [columns.x, columns.y].map(leaf),

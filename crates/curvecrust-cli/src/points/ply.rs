@@ -9,7 +9,7 @@ use super::columns::ColumnNames;
 use super::heights::Heights;
 use super::quote::{left_out, listed};
 use super::value::{coordinate, in_double_range};
-use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, quoted};
 use curvecrust::DVec2;
 use header::{Element, Encoding, Header, Kind, Property, Type};
 use std::io::{self, BufRead, ErrorKind, Read};
@@ -29,7 +29,7 @@ struct Found {
     heights: Heights,
 }
 
-pub(super) fn read(mut input: impl BufRead, wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(mut input: impl BufRead, options: &ReadOptions) -> Result<PointList, Flaw> {
     let Header {
         encoding,
         elements,
@@ -37,11 +37,11 @@ pub(super) fn read(mut input: impl BufRead, wanted: &Wanted) -> Result<PointList
     } = header::read(&mut input)?;
     let vertices = elements.iter().position(|element| element.name == "vertex");
     let vertices = vertices.ok_or_else(|| Problem::Ply("it has no vertices".into()))?;
-    let columns = columns(&elements[vertices], wanted)?;
+    let columns = columns(&elements[vertices], options)?;
     let before = &elements[..vertices];
     let mut found = Found {
         points: Vec::new(),
-        heights: Heights::new(wanted),
+        heights: Heights::new(options),
     };
     match encoding {
         Encoding::Text => {
@@ -58,8 +58,8 @@ pub(super) fn read(mut input: impl BufRead, wanted: &Wanted) -> Result<PointList
     Ok(list)
 }
 
-fn columns(vertex: &Element, wanted: &Wanted) -> Result<Columns, Problem> {
-    let (x, y) = match &wanted.columns {
+fn columns(vertex: &Element, options: &ReadOptions) -> Result<Columns, Problem> {
+    let (x, y) = match &options.columns {
         Some(ColumnNames { x, y }) => (x.as_str(), y.as_str()),
         None => ("x", "y"),
     };
@@ -74,7 +74,7 @@ fn columns(vertex: &Element, wanted: &Wanted) -> Result<Columns, Problem> {
     Ok(Columns {
         x: find(x)?,
         y: find(y)?,
-        z: wanted.heights.then(|| find("z")).transpose()?,
+        z: options.heights.then(|| find("z")).transpose()?,
     })
 }
 

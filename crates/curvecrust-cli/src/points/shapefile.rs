@@ -7,7 +7,7 @@
 
 use super::gathered::{Gathered, Vertex};
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 use crate::input::Source;
 use std::io::{self, BufRead, ErrorKind, Read};
 
@@ -17,8 +17,8 @@ const LONGEST_SYSTEM: u64 = 1 << 16;
 const HEADER: u64 = 100;
 const BOX: u64 = 32;
 
-pub(super) fn read(source: Source, wanted: &Wanted) -> Result<PointList, Flaw> {
-    let mut found = Gathered::new(wanted);
+pub(super) fn read(source: Source, options: &ReadOptions) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(options);
     if let Some(text) = source.beside("prj", LONGEST_SYSTEM)
         && let Some(system) = System::of_wkt(&String::from_utf8_lossy(&text))
     {

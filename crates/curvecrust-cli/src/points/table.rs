@@ -8,7 +8,7 @@ use super::heights::Heights;
 use super::records::Records;
 use super::separator::{self, Separator};
 use super::text_records::TextRecords;
-use super::{Flaw, Place, PointList, Problem, Wanted, coordinate, is_number};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, coordinate, is_number};
 use crate::input::Source;
 use curvecrust::DVec2;
 
@@ -16,13 +16,13 @@ use curvecrust::DVec2;
 pub(super) fn read(
     mut source: Source,
     default: Separator,
-    wanted: &Wanted,
+    options: &ReadOptions,
 ) -> Result<PointList, Flaw> {
-    let found = separator::find(&mut source, wanted.columns.as_ref())?;
+    let found = separator::find(&mut source, options.columns.as_ref())?;
     let input = source.into_reader();
     match found.unwrap_or(default) {
-        Separator::Byte(byte) => Table::read(CsvRecords::new(input, byte), wanted),
-        Separator::WhiteSpace => Table::read(TextRecords::new(input), wanted),
+        Separator::Byte(byte) => Table::read(CsvRecords::new(input, byte), options),
+        Separator::WhiteSpace => Table::read(TextRecords::new(input), options),
     }
 }
 
@@ -46,7 +46,7 @@ struct Table<R> {
 }
 
 impl<R: Records> Table<R> {
-    fn read(mut records: R, wanted: &Wanted) -> Result<PointList, Flaw> {
+    fn read(mut records: R, options: &ReadOptions) -> Result<PointList, Flaw> {
         if !records.advance()? {
             return Ok(PointList::default());
         }
@@ -55,11 +55,11 @@ impl<R: Records> Table<R> {
             columns: Columns::first(0),
             width: 0,
             points: Vec::new(),
-            heights: Heights::new(wanted),
-            termini: wanted.termini,
+            heights: Heights::new(options),
+            termini: options.termini,
             notes: Vec::new(),
         };
-        table.start(wanted.columns.as_ref())?;
+        table.start(options.columns.as_ref())?;
         while table.records.advance()? {
             if table.records.len() != table.width {
                 return Err(table.records.ragged(table.width));
@@ -102,14 +102,14 @@ impl<R: Records> Table<R> {
         self.width = self.records.len();
         if let Kind::Header(columns) = kind {
             self.columns = columns;
-            let note = columns.note(&self.records, self.heights.are_wanted());
+            let note = columns.note(&self.records, self.heights.are_kept());
             self.notes.extend(note);
             return Ok(());
         }
         self.columns = Columns::first(self.width);
         match self.width {
             0..=2 => {}
-            3 if self.heights.are_wanted() => {}
+            3 if self.heights.are_kept() => {}
             3 => {
                 let note = "of three columns without names, the third is left out";
                 self.notes.push(note.to_owned());
@@ -134,7 +134,7 @@ impl<R: Records> Table<R> {
         };
         let point = DVec2::new(value(self.columns.x)?, value(self.columns.y)?);
         self.points.push(point);
-        if self.heights.are_wanted() {
+        if self.heights.are_kept() {
             let (column, commas) = (self.columns.z, records.has_decimal_commas());
             let place = column.map_or(Place::Line(records.line()), |column| records.place(column));
             let height = self

@@ -4,7 +4,7 @@
 pub(super) const RATIO: u64 = 64;
 const LEAST: u64 = 64 << 20;
 
-/// The most bytes that may come out of so many.
+/// The most bytes that a number of packed ones may unpack to.
 pub(super) const fn most(packed: u64) -> u64 {
     packed.saturating_mul(RATIO).saturating_add(LEAST)
 }

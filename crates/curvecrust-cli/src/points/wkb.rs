@@ -7,7 +7,7 @@
 
 use super::gathered::{Gathered, Vertex};
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions};
 
 /// Geometries in geometries.
 const DEEPEST: usize = 64;
@@ -16,8 +16,8 @@ const HAS_HEIGHT: u32 = 0x8000_0000;
 const HAS_MEASURE: u32 = 0x4000_0000;
 const HAS_SRID: u32 = 0x2000_0000;
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
-    let mut found = Gathered::new(wanted);
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
+    let mut found = Gathered::new(options);
     if let [0 | 1, ..] = bytes {
         let mut rest = bytes;
         for number in 1.. {

@@ -3,7 +3,7 @@
 
 use super::gathered::{Gathered, Vertex};
 use super::system::System;
-use super::{Flaw, Place, PointList, Problem, Wanted, quoted};
+use super::{Flaw, Place, PointList, Problem, ReadOptions, quoted};
 use std::str::FromStr;
 use wkt::Wkt;
 use wkt::types::{Coord, LineString};
@@ -11,9 +11,9 @@ use wkt::types::{Coord, LineString};
 /// Levels of brackets: the crate reads what is inside by recursion.
 const DEEPEST: i32 = 64;
 
-pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<PointList, Flaw> {
+pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<PointList, Flaw> {
     let text = str::from_utf8(bytes).map_err(|_| Problem::NotWkt)?;
-    let mut found = Gathered::new(wanted);
+    let mut found = Gathered::new(options);
     for (line, text) in geometries(text)? {
         found.go_to(Place::Line(line));
         let problem = |message: &str| Problem::Wkt(message.to_owned()).at(Place::Line(line));

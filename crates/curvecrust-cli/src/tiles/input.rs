@@ -18,7 +18,7 @@ const LOOKS: usize = 256;
 /// So many are looked at in all: few tiles may have more for each.
 const ALL_LOOKS: std::ops::RangeInclusive<usize> = 1 << 14..=1 << 20;
 
-/// Rows after which progress is told.
+/// Rows between two reports of progress.
 const BLOCK: usize = 1 << 16;
 
 /// The file of points.

@@ -35,7 +35,7 @@ pub(super) struct Job {
 /// How many points are worked on at once.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sizes {
-    /// About so many points of a tile.
+    /// About how many points a tile has.
     pub(super) tile: usize,
     /// The rows of a chunk.
     pub(super) chunk: usize,

@@ -100,7 +100,7 @@ pub(super) fn put_words(out: &mut impl Write, words: &[u64]) -> io::Result<()> {
     words.try_for_each(|word| out.write_all(&word.to_le_bytes()))
 }
 
-/// Reads so many records, and gives them to `take` one by one.
+/// Reads `count` records, and gives them to `take` one by one.
 pub(super) fn each<const WORDS: usize, R: Record<WORDS>>(
     reader: &mut impl Read,
     count: u64,
@@ -123,7 +123,7 @@ pub(super) fn each<const WORDS: usize, R: Record<WORDS>>(
     Ok(())
 }
 
-/// Reads so many records.
+/// Reads `count` records.
 pub(super) fn get<const WORDS: usize, R: Record<WORDS>>(
     reader: &mut impl Read,
     count: u64,
@@ -133,7 +133,7 @@ pub(super) fn get<const WORDS: usize, R: Record<WORDS>>(
     Ok(records)
 }
 
-/// Reads so many numbers.
+/// Reads `WORDS` numbers.
 pub(super) fn get_words<const WORDS: usize>(reader: &mut impl Read) -> io::Result<[u64; WORDS]> {
     let mut words = [0; WORDS];
     for word in &mut words {

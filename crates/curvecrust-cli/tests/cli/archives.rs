@@ -37,9 +37,9 @@ fn one_array_of_points() {
     for method in [CompressionMethod::Stored, CompressionMethod::Deflated] {
         let bytes = archive(method, &[("arr_0.npy", rows.clone())]);
         for name in ["p.npz", "p", "p.csv"] {
-            let (points, said) = read(name, &bytes, "");
+            let (points, message) = read(name, &bytes, "");
             assert_eq!(points, json!([[1.0, 2.0], [3.0, 4.0]]));
-            assert!(!said.contains("p.npz:"), "{said}");
+            assert!(!message.contains("p.npz:"), "{message}");
         }
         // What cannot be read from any place is held in memory.
         let found = Folder::new().pipe("reconstruct -", &bytes).fine();
@@ -54,14 +54,14 @@ fn arrays_of_coordinates() {
     let c = ("c.npy", array("(3,)", &[1.0, 2.0, 3.0]));
     let expected = json!([[1.0, 2.0], [3.0, 4.0]]);
     let bytes = packed(&[c.clone(), y.clone(), x.clone()]);
-    let (points, said) = read("p.npz", &bytes, "");
+    let (points, message) = read("p.npz", &bytes, "");
     assert_eq!(points, expected);
-    assert!(said.contains("p.npz: `c` is left out\n"), "{said}");
-    let (points, said) = read("p.npz", &bytes, "--x y --y x");
+    assert!(message.contains("p.npz: `c` is left out\n"), "{message}");
+    let (points, message) = read("p.npz", &bytes, "--x y --y x");
     assert_eq!(points, json!([[2.0, 1.0], [4.0, 3.0]]));
     assert!(
-        said.contains("p.npz: x is the array `y`, y is `x`; `c` is left out\n"),
-        "{said}"
+        message.contains("p.npz: x is the array `y`, y is `x`; `c` is left out\n"),
+        "{message}"
     );
     assert_eq!(
         error("p.npz", &bytes, "--x x --y z"),

@@ -124,17 +124,20 @@ fn columns_of_numbers() {
     ] {
         let bytes = xyz(compression);
         for name in ["p.parquet", "p", "p.csv"] {
-            let (points, said) = read(name, &bytes, "");
+            let (points, message) = read(name, &bytes, "");
             assert_eq!(points, json!([[1.5, 2.5], [3.0, 4.0]]));
-            assert!(said.contains(": `z` is left out\n"), "{said}");
+            assert!(message.contains(": `z` is left out\n"), "{message}");
         }
         let found = Folder::new().pipe("reconstruct -", &bytes).fine();
         assert!(found.ends_with(",3,4\n"), "{found}");
     }
     let bytes = xyz(Compression::SNAPPY);
-    let (points, said) = read("p.parquet", &bytes, "--x z --y X");
+    let (points, message) = read("p.parquet", &bytes, "--x z --y X");
     assert_eq!(points, json!([[9.0, 1.5], [9.0, 3.0]]));
-    assert!(said.contains(": x is the column `z`, y is `x`\n"), "{said}");
+    assert!(
+        message.contains(": x is the column `z`, y is `x`\n"),
+        "{message}"
+    );
     assert_eq!(
         error("p.parquet", &bytes, "--x z --y u"),
         "error: p.parquet: no column is named `u`: there are `z`, `x`, `y`"
@@ -153,7 +156,7 @@ fn longitudes_and_latitudes() {
         error("p.parquet", &bytes, ""),
         "error: p.parquet, row 2: the column `lon` has no number"
     );
-    let (points, said) = read("p.parquet", &bytes, "--x lat --y lat --merge-duplicates");
+    let (points, message) = read("p.parquet", &bytes, "--x lat --y lat --merge-duplicates");
     assert_eq!(points, json!([[48.0, 48.0], [49.0, 49.0]]));
     let write = |group: &mut Group<'_>| {
         column::<Int32Type>(group, &[48, 49], None);
@@ -165,7 +168,7 @@ fn longitudes_and_latitudes() {
     assert_eq!(points, json!([[11.5, 48.0], [12.5, 49.0]]));
     assert!(
         noted.contains("x is the column `lon`, y is `lat`: lengths are in degrees"),
-        "{said}"
+        "{message}"
     );
 }
 
@@ -185,12 +188,12 @@ fn columns_of_geometries() {
         ),
         (utm, "the reference system is UTM\n"),
     ] {
-        let (points, said) = read("p.parquet", geometries(crs, &values), "");
+        let (points, message) = read("p.parquet", geometries(crs, &values), "");
         assert_eq!(points, json!([[1.0, 2.0], [3.0, 4.0]]));
-        assert!(said.contains(&format!("p.parquet: {note}")), "{said}");
+        assert!(message.contains(&format!("p.parquet: {note}")), "{message}");
     }
-    let (_, said) = read("p.parquet", geometries(r#", "crs": null"#, &values), "");
-    assert!(!said.contains("reference system"), "{said}");
+    let (_, message) = read("p.parquet", geometries(r#", "crs": null"#, &values), "");
+    assert!(!message.contains("reference system"), "{message}");
     let cut = geometries("", &[point(1.0, 2.0), ByteArray::from(vec![1, 1, 0, 0, 0])]);
     assert_eq!(
         error("p.parquet", cut, ""),

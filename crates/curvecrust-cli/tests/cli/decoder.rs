@@ -37,11 +37,11 @@ fn a_full_stack_is_an_error() {
         "fit p.laz -o out.svg",
         "draw --points p.laz -o out.svg",
     ] {
-        let said = folder.run(line).error();
-        assert!(said.starts_with(&says("p.laz")), "{said}");
+        let message = folder.run(line).error();
+        assert!(message.starts_with(&says("p.laz")), "{message}");
     }
-    let said = folder.pipe("reconstruct - -o out.csv", DAMAGED).error();
-    assert!(said.starts_with(&says("stdin")), "{said}");
+    let message = folder.pipe("reconstruct - -o out.csv", DAMAGED).error();
+    assert!(message.starts_with(&says("stdin")), "{message}");
     assert_eq!(folder.names(), ["p.laz"]);
 }
 

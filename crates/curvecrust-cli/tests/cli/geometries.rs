@@ -42,13 +42,13 @@ fn points_of_every_dialect() {
     ];
     let bytes = [parts.concat(), big(7.0, 8.0)].concat();
     for name in ["p.wkb", "p", "p.txt"] {
-        let (points, said) = read(name, &bytes, "");
+        let (points, message) = read(name, &bytes, "");
         assert_eq!(
             points,
             json!([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]])
         );
-        assert!(said.contains(": heights are left out\n"), "{said}");
-        assert!(said.contains(": measures are left out\n"), "{said}");
+        assert!(message.contains(": heights are left out\n"), "{message}");
+        assert!(message.contains(": measures are left out\n"), "{message}");
     }
 }
 
@@ -60,18 +60,18 @@ fn reference_systems() {
     // As databases print it.
     let other = hexadecimal(&geometry(1 | SRID, &[25832], &[3.0, 4.0]));
     for text in [format!("{other}\n"), format!("\\x{other}\r\n\n")] {
-        let (points, said) = read("p.wkb", &text, "");
+        let (points, message) = read("p.wkb", &text, "");
         assert_eq!(points, json!([[3.0, 4.0]]));
         assert!(
-            said.contains("the reference system is SRID 25832\n"),
-            "{said}"
+            message.contains("the reference system is SRID 25832\n"),
+            "{message}"
         );
     }
     let lines = format!("{}\n{other}\n", hexadecimal(&point));
     for name in ["p.txt", "p"] {
-        let (points, said) = read(name, &lines, "");
+        let (points, message) = read(name, &lines, "");
         assert_eq!(points, json!([[1.0, 2.0], [3.0, 4.0]]));
-        assert!(said.contains("SRID 4326, SRID 25832"), "{said}");
+        assert!(message.contains("SRID 4326, SRID 25832"), "{message}");
     }
 }
 
@@ -84,11 +84,11 @@ fn vertices_of_lines_and_polygons() {
         "error: p.wkb, geometry 1: it holds a Polygon, which is no point: pass --vertices to take \
          its vertices"
     );
-    let (points, said) = read("p.wkb", &polygon, "--vertices");
+    let (points, message) = read("p.wkb", &polygon, "--vertices");
     assert_eq!(points, json!([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]));
     assert!(
-        said.contains("the last vertex of a closed line repeats the first"),
-        "{said}"
+        message.contains("the last vertex of a closed line repeats the first"),
+        "{message}"
     );
     let lines = [
         geometry(5, &[1], &[]),

@@ -43,10 +43,10 @@ fn heights_are_read_where_they_are_wanted() {
         };
         let run = folder.run(&line);
         let (heights_are, z_is) = ("heights are left out", "`z` is left out");
-        let said = &run.stderr;
+        let message = &run.stderr;
         assert!(
-            !said.contains(heights_are) && !said.contains(z_is),
-            "{name}: {said}"
+            !message.contains(heights_are) && !message.contains(z_is),
+            "{name}: {message}"
         );
         let found = json(&run.fine());
         assert_eq!(found["z"], heights(), "{name}");
@@ -286,26 +286,26 @@ fn the_reference_system_goes_along() {
         let run = folder.run(&format!("reconstruct out.{format} --vertices"));
         assert!(run.stderr.contains("25832\n"), "{format}: {}", run.stderr);
     }
-    let said = folder.run("reconstruct p.geojson -o out.wkt").stderr;
-    assert!(!said.contains("left out"), "{said}");
+    let message = folder.run("reconstruct p.geojson -o out.wkt").stderr;
+    assert!(!message.contains("left out"), "{message}");
 }
 
 #[cfg(feature = "parquet")]
 #[test]
 fn geoparquet_has_projjson_or_says_that_it_has_none() {
     let folder = Folder::with("p.geojson", METRES);
-    let said = folder.run("reconstruct p.geojson -o out.parquet").stderr;
+    let message = folder.run("reconstruct p.geojson -o out.parquet").stderr;
     let note = "the reference system EPSG:25832 is left out: parquet takes it as PROJJSON alone\n";
-    assert!(said.contains(note), "{said}");
-    let said = folder.run("reconstruct out.parquet --vertices").stderr;
-    assert!(!said.contains("reference system"), "{said}");
+    assert!(message.contains(note), "{message}");
+    let message = folder.run("reconstruct out.parquet --vertices").stderr;
+    assert!(!message.contains("reference system"), "{message}");
     folder.write("p.geojson", METRES.replace("25832", "4326"));
-    let said = folder
+    let message = folder
         .run("reconstruct p.geojson -o degrees.parquet")
         .stderr;
-    assert!(!said.contains("left out"), "{said}");
-    let said = folder.run("reconstruct degrees.parquet --vertices").stderr;
-    assert!(said.contains("OGC:CRS84"), "{said}");
+    assert!(!message.contains("left out"), "{message}");
+    let message = folder.run("reconstruct degrees.parquet --vertices").stderr;
+    assert!(message.contains("OGC:CRS84"), "{message}");
 }
 
 #[cfg(feature = "shapefile")]
@@ -327,8 +327,8 @@ fn a_code_is_found_in_well_known_text() {
         let points = crate::shapes::of_points(&[[1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]);
         let folder = Folder::with("p.shp", points);
         folder.write("p.prj", &text);
-        let said = folder.run("reconstruct p.shp -o out.geojson").stderr;
-        assert_eq!(!said.contains("left out"), has_code, "{text}: {said}");
+        let message = folder.run("reconstruct p.shp -o out.geojson").stderr;
+        assert_eq!(!message.contains("left out"), has_code, "{text}: {message}");
         assert_eq!(folder.read("out.geojson").contains("EPSG::25832"), has_code);
     }
 }

@@ -33,14 +33,14 @@ fn vertices_in_every_encoding() {
     let big = model!("binary_big_endian", to_be_bytes);
     for bytes in [&text, &little, &big] {
         for name in ["p.ply", "p", "p.obj"] {
-            let (points, said) = read(name, bytes, "");
+            let (points, message) = read(name, bytes, "");
             assert_eq!(points, json!([[1.5, -2.0], [3.0, 4.0]]));
-            assert!(said.contains(": `z` is left out\n"), "{said}");
+            assert!(message.contains(": `z` is left out\n"), "{message}");
         }
     }
-    let (points, said) = read("p.ply", &little, "--x Z --y x");
+    let (points, message) = read("p.ply", &little, "--x Z --y x");
     assert_eq!(points, json!([[9.0, 1.5], [9.0, 3.0]]));
-    assert!(said.contains(": `y` is left out\n"), "{said}");
+    assert!(message.contains(": `y` is left out\n"), "{message}");
     assert_eq!(
         error("p.ply", &little, "--x x --y u"),
         "error: p.ply: no column is named `u`: there are `z`, `x`, `y`"

@@ -26,12 +26,15 @@ pub(crate) fn error(name: &str, content: impl AsRef<[u8]>, options: &str) -> Str
 fn well_known_text() {
     let text = "POINT (1 2)\n# more\nMULTIPOINT Z ((3 4 5),\n (5 6 1))\n\
                 SRID=4326;GEOMETRYCOLLECTION (POINT EMPTY, POINT (7 8));\n";
-    let (points, said) = read("points.wkt", text, "");
+    let (points, message) = read("points.wkt", text, "");
     assert_eq!(
         points,
         json!([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]])
     );
-    assert!(said.contains("points.wkt: heights are left out"), "{said}");
+    assert!(
+        message.contains("points.wkt: heights are left out"),
+        "{message}"
+    );
     // Without a name that tells.
     assert_eq!(read("points", text, "").0, points);
     let ring = "POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 2 1, 2 2, 1 1))";
@@ -40,11 +43,11 @@ fn well_known_text() {
         "error: ring.wkt, line 1: it holds a POLYGON, which is no point: pass --vertices to take \
          its vertices"
     );
-    let (points, said) = read("ring.wkt", ring, "--vertices");
+    let (points, message) = read("ring.wkt", ring, "--vertices");
     assert_eq!(points.as_array().unwrap().len(), 6);
     let note =
         "ring.wkt: the last vertices of 2 closed lines repeat the first ones and are left out";
-    assert!(said.contains(note), "{said}");
+    assert!(message.contains(note), "{message}");
     let open = error("open.wkt", "\nPOINT (1 2\n", "");
     assert_eq!(
         open,
@@ -67,7 +70,7 @@ fn well_known_text() {
 
 #[test]
 fn reference_systems_of_well_known_text() {
-    let said = |text: &str| read("points.wkt", text, "").1;
+    let message = |text: &str| read("points.wkt", text, "").1;
     for (text, note) in [
         (
             "SRID=4326;POINT (1 2)",
@@ -82,7 +85,7 @@ fn reference_systems_of_well_known_text() {
             "points of several reference systems are taken as they are: SRID 4326, SRID 25832\n",
         ),
     ] {
-        assert!(said(text).contains(note), "{}", said(text));
+        assert!(message(text).contains(note), "{}", message(text));
     }
     assert_eq!(
         error("points.wkt", "POINT (1 2)\nSRID=WGS84;POINT (1 2)\n", ""),
@@ -105,14 +108,14 @@ fn places_of_google_earth() {
         )
     };
     for name in ["map.kml", "map", "map.txt"] {
-        let (points, said) = read(name, kml(&(place.to_owned() + track)), "");
+        let (points, message) = read(name, kml(&(place.to_owned() + track)), "");
         assert_eq!(points, json!([[11.5, 48.1], [7.0, 8.0]]));
         for note in [
             "x is the longitude, y the latitude\n",
             "the reference system is WGS 84: lengths are in degrees\n",
             "heights are left out\n",
         ] {
-            assert!(said.contains(note), "{said}");
+            assert!(message.contains(note), "{message}");
         }
     }
     assert_eq!(
@@ -120,7 +123,7 @@ fn places_of_google_earth() {
         "error: map.kml, line 4: it holds a LineString, which is no point: pass --vertices to take \
          its vertices"
     );
-    let (points, said) = read("map.kml", kml(&(line.to_owned() + ring)), "--vertices");
+    let (points, message) = read("map.kml", kml(&(line.to_owned() + ring)), "--vertices");
     assert_eq!(
         points,
         json!([
@@ -133,8 +136,8 @@ fn places_of_google_earth() {
         ])
     );
     assert!(
-        said.contains("the last vertex of a closed line") && !said.contains("heights"),
-        "{said}"
+        message.contains("the last vertex of a closed line") && !message.contains("heights"),
+        "{message}"
     );
     let bad = kml("<Point><coordinates>1,north</coordinates></Point>");
     assert_eq!(
@@ -158,10 +161,10 @@ fn tracks() {
 <wpt lat="48.1" lon="11.5"><ele>500</ele></wpt>
 <trk><trkseg><trkpt lat="48.2" lon="11.6"/><trkpt lat="48.3" lon="11.8"/></trkseg></trk></gpx>"#;
     for name in ["track.gpx", "track"] {
-        let (points, said) = read(name, track, "");
+        let (points, message) = read(name, track, "");
         assert_eq!(points, json!([[11.5, 48.1], [11.6, 48.2], [11.8, 48.3]]));
-        assert!(said.contains("lengths are in degrees"), "{said}");
-        assert!(said.contains("heights are left out"), "{said}");
+        assert!(message.contains("lengths are in degrees"), "{message}");
+        assert!(message.contains("heights are left out"), "{message}");
     }
     let bad = track.replace("48.2", "north");
     assert_eq!(
@@ -178,12 +181,12 @@ fn tracks() {
 fn vertices_of_models() {
     let model = "# a square\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     for name in ["square.obj", "square"] {
-        let (points, said) = read(name, model, "");
+        let (points, message) = read(name, model, "");
         assert_eq!(
             points,
             json!([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
         );
-        assert!(!said.contains("heights"), "{said}");
+        assert!(!message.contains("heights"), "{message}");
     }
     let short = error("short.obj", "v 1 2 3\nv 4\n", "");
     assert_eq!(
@@ -195,11 +198,11 @@ fn vertices_of_models() {
 #[test]
 fn records() {
     let text = r#"[{"id": 7, "Longitude": 1.5, "latitude": 2}, {"latitude": 4, "longitude": 3}]"#;
-    let (points, said) = read("records.json", text, "");
+    let (points, message) = read("records.json", text, "");
     assert_eq!(points, json!([[1.5, 2.0], [3.0, 4.0]]));
-    assert!(said.contains("lengths are in degrees"), "{said}");
-    let (_, said) = read("high.json", r#"[{"x": 1, "y": 2, "z": 3}]"#, "");
-    assert!(said.contains("heights are left out"), "{said}");
+    assert!(message.contains("lengths are in degrees"), "{message}");
+    let (_, message) = read("high.json", r#"[{"x": 1, "y": 2, "z": 3}]"#, "");
+    assert!(message.contains("heights are left out"), "{message}");
     let lacking = error("lacking.json", r#"[{"x": 1, "y": 2}, {"x": 1}]"#, "");
     assert!(
         lacking.contains("an object of a point has x and y"),
@@ -212,9 +215,9 @@ fn vertices_of_geojson() {
     let map = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",
         "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]}}"#;
     assert!(error("map.geojson", map, "").ends_with("pass --vertices to take its vertices"));
-    let (points, said) = read("map.geojson", map, "--vertices");
+    let (points, message) = read("map.geojson", map, "--vertices");
     let note = "map.geojson: the last vertex of a closed line repeats the first and is left out";
-    assert!(said.contains(note), "{said}");
+    assert!(message.contains(note), "{message}");
     assert_eq!(points, json!([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]));
 }
 
@@ -234,9 +237,9 @@ fn reference_systems_of_geojson() {
             "features": [{{"type": "Feature", "properties": {{}},
             "geometry": {{"type": "Point", "coordinates": [1, 2]}}}}]}}"#
         );
-        let (_, said) = read("map.geojson", map, "");
+        let (_, message) = read("map.geojson", map, "");
         let says = format!("map.geojson: the reference system is {note}");
-        assert!(said.contains(&says), "{said}");
+        assert!(message.contains(&says), "{message}");
     }
 }
 

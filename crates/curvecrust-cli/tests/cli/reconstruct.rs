@@ -82,7 +82,7 @@ fn what_cannot_be_met_is_an_error_of_one_line() {
         ),
         (
             "--curves 1 --algorithm crust",
-            "error: crust cannot be told whether curves are closed",
+            "error: crust cannot use whether curves are closed",
         ),
         (
             "--curves 1 --terminus 0 --terminus 1 --terminus 2",

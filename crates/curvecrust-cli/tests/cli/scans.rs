@@ -51,9 +51,9 @@ fn points_packed_or_not() {
     for is_packed in [false, true] {
         let bytes = scan(3, is_packed, vec![]);
         for name in ["p.las", "p.laz", "p"] {
-            let (points, said) = read(name, &bytes, "");
+            let (points, message) = read(name, &bytes, "");
             assert_eq!(points, json!([[0.0, 0.0], [1.0, 1.0], [2.0, 4.0]]));
-            assert!(said.contains(": heights are left out\n"), "{said}");
+            assert!(message.contains(": heights are left out\n"), "{message}");
         }
         // More than are read at once.
         let (points, _) = read(
@@ -74,10 +74,10 @@ fn reference_systems() {
         (2048, 4326, "EPSG:4326: lengths are in degrees\n"),
         (3072, 25832, "EPSG:25832\n"),
     ] {
-        let (_, said) = read("p.las", scan(3, false, vec![system(key, code)]), "");
+        let (_, message) = read("p.las", scan(3, false, vec![system(key, code)]), "");
         assert!(
-            said.contains(&format!("p.las: the reference system is {note}")),
-            "{said}"
+            message.contains(&format!("p.las: the reference system is {note}")),
+            "{message}"
         );
     }
 }

@@ -55,12 +55,12 @@ fn points_and_multipoints() {
     ];
     let bytes = shapefile(&records);
     for name in ["p.shp", "p", "p.txt"] {
-        let (points, said) = read(name, &bytes, "");
+        let (points, message) = read(name, &bytes, "");
         assert_eq!(
             points,
             json!([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]])
         );
-        assert!(said.contains(": heights are left out\n"), "{said}");
+        assert!(message.contains(": heights are left out\n"), "{message}");
     }
 }
 
@@ -83,14 +83,14 @@ fn vertices_and_the_system_beside() {
     ] {
         folder.write("ring.prj", text);
         let run = folder.run("reconstruct ring.shp --vertices --json");
-        let said = run.stderr.clone();
+        let message = run.stderr.clone();
         assert!(
-            said.contains(&format!("ring.shp: the reference system is {note}")),
-            "{said}"
+            message.contains(&format!("ring.shp: the reference system is {note}")),
+            "{message}"
         );
         assert!(
-            said.contains("the last vertices of 2 closed lines"),
-            "{said}"
+            message.contains("the last vertices of 2 closed lines"),
+            "{message}"
         );
         let points = &json(&run.fine())["points"];
         assert_eq!(points.as_array().unwrap().len(), 6);

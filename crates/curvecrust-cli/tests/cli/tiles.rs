@@ -147,7 +147,7 @@ fn a_run_that_was_killed_goes_on() {
         .and_then(|found| found.modified())
         .unwrap();
     let first_run = folder.run(line);
-    let said = first_run.stderr.clone();
+    let message = first_run.stderr.clone();
     first_run.fine();
     assert!(fs::read(folder.path().join("tiled.npy")).unwrap() == expected);
     let again = fs::metadata(&first)
@@ -155,7 +155,7 @@ fn a_run_that_was_killed_goes_on() {
         .unwrap();
     assert_eq!(written, again, "what was finished is kept");
     // And once more, when all is done.
-    assert_eq!(folder.run(line).stderr, said);
+    assert_eq!(folder.run(line).stderr, message);
     assert!(fs::read(folder.path().join("tiled.npy")).unwrap() == expected);
 }
 

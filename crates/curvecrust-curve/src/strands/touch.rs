@@ -92,7 +92,8 @@ impl Dense {
         }
     }
 
-    /// How far a point is along the stroke from the nearer end, which a closed one has none of.
+    /// The distance along the stroke from a point to the nearer end; infinite if the stroke is
+    /// closed.
     fn to_end(&self, i: usize) -> f64 {
         if self.closed {
             f64::INFINITY

@@ -129,7 +129,7 @@ fn rect(pen: &mut Pen, low: DVec2, extent: DVec2, radii: DVec2) {
 /// The lengths of an element, in user units.
 pub(super) struct Lengths<'a, 'input> {
     pub(super) node: Node<'a, 'input>,
-    /// Of the viewport; `None` if it has none.
+    /// Of the viewport; `None` if its size is not given.
     pub(super) size: Option<DVec2>,
 }
 

@@ -8,9 +8,9 @@ use roxmltree::{Document, Node};
 /// Declarations in a `style` attribute or in a rule of a style sheet.
 pub const MAX_DECLARATIONS: usize = 1_000;
 
-/// Selectors and declarations of all style sheets, times elements: so many in any document, ...
+/// Selectors and declarations of all style sheets, times elements: as many as this in any document,
 const MAX_APPLICATIONS: u64 = 10_000_000;
-/// ... and so many more for each of its bytes.
+/// and as many as this more for each of its bytes.
 const APPLICATIONS_PER_BYTE: u64 = 64;
 
 /// Bytes of a list of classes that take as long to look through as an element takes else.

@@ -4,7 +4,7 @@ use super::basis::Spline;
 use super::knots::wrapped;
 use crate::robust::{NORMAL, median};
 
-/// Neighbours on each side whose residuals tell the spread at a point,
+/// Neighbours on each side whose residuals give the spread at a point,
 const SIDE: usize = 30;
 /// but no more than this share of the points: else it cannot vary along a curve of few.
 const SHARE: usize = 6;
@@ -12,7 +12,7 @@ const SHARE: usize = 6;
 const FEWEST: usize = 40;
 /// How much the whole counts beside the neighbours, in points.
 const SHRINK: f64 = 5.0;
-/// The deviation is told at every so many points, and interpolated: windows overlap by far.
+/// The deviation is computed at every sixth point, and interpolated: windows overlap by far.
 const STEP: usize = 6;
 /// The most that the spread may differ from the whole.
 const RANGE: f64 = 6.0;

@@ -10,7 +10,7 @@ use super::knots::{Knots, Row};
 const FREEDOM: f64 = 1.4;
 /// Logarithms to base 10 of the penalties tried, in steps of one half.
 const PENALTIES: std::ops::RangeInclusive<i32> = -6..=14;
-/// Every so many of them are tried first.
+/// Every fourth of them is tried first.
 const COARSE: usize = 4;
 /// Keeps unknowns that neither a point nor the penalty holds.
 pub(super) const RIDGE: f64 = 1e-9;

@@ -1,5 +1,5 @@
-//! Line charts: one line per algorithm with a band of confidence, each told apart by colour, dashes
-//! and marker, and named at its end.
+//! Line charts: one line per algorithm with a band of confidence, each with a colour,
+//! dashes and a marker of its own, and named at its end.
 
 use crate::compare::axis::{Axis, Scale};
 use crate::drawing::{Within, document, path, polyline, rounded, text, text_width};
@@ -62,16 +62,16 @@ struct Frame {
     y: [f64; 2],
 }
 
-/// Lines that can be told apart by their looks.
+/// The number of looks of lines.
 const LINES: usize = 8;
 const TOP: f64 = 62.0;
 const LEGEND_LINE: f64 = 20.0;
 const HEAD_LINE: f64 = 20.0;
 /// Below an axis: lines at its zero are moved and marked this far down.
 const TICK_LABEL: f64 = 27.0;
-/// Lines are moved so many pixels apart, so that equal ones can be told from each other, and all of
-/// them over no more than so many, so that none is taken for another value.
+/// Equal lines are moved apart by this many pixels each, so that all of them can be seen.
 const APART: f64 = 2.2;
+/// All of them together are moved by no more than this, so that none is taken for another value.
 const ALL_APART: f64 = 11.0;
 
 impl Chart {
@@ -253,7 +253,7 @@ fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> {
     placed
 }
 
-/// The words of a text in lines of about so many characters.
+/// The words of a text in lines of about `most` characters.
 fn wrapped(text: &str, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
     for word in text.split(' ') {

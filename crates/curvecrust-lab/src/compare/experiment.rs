@@ -153,7 +153,7 @@ pub(super) enum Kind {
     Authors,
 }
 
-/// Whether algorithms that can use them are told the ends of open curves.
+/// Whether algorithms that can use the ends of open curves get them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Ends {
@@ -288,7 +288,7 @@ mod tests {
     fn what_does_not_fit_is_refused() {
         let text = include_str!("../../../../benches/experiments/density-rho.toml");
         assert!(read("x", text).is_ok());
-        for (from, to, said) in [
+        for (from, to, message) in [
             ("over = \"rho\"", "over = \"apex\"", "does not fit"),
             ("\"nn-crust\"", "\"nm-crust\"", "no algorithm \"nm-crust\""),
             ("trials = 100", "trials = 0", "must be a trial"),
@@ -296,7 +296,7 @@ mod tests {
         ] {
             let text = text.replacen(from, to, 1);
             let error = format!("{:#}", read("x", &text).unwrap_err());
-            assert!(error.contains(said), "{error}");
+            assert!(error.contains(message), "{error}");
         }
     }
 }

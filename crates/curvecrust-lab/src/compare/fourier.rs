@@ -2,7 +2,7 @@
 //! with normal coefficients that fall with the frequency.
 //!
 //! Curves that cross themselves, or come so near to it that most samples would be there, are drawn
-//! again. What is used is the chain of cubics through points of the polynomial, with its tangents.
+//! again. The curve is the chain of cubics through points of the polynomial, with its tangents.
 
 use anyhow::bail;
 use curvecrust::DVec2;

@@ -1,8 +1,8 @@
 //! Cells on all threads, written in their order: rows and times of complete cells only.
 //!
 //! Each thread has a pool of one thread of its own, so that an algorithm's run time holds nothing
-//! of another's. The files grow in the order of the plan; after an interruption, what is there is
-//! the start of what one run would have written.
+//! of another's. The files grow in the order of the plan; after an interruption, they
+//! are the start of what one run would have written.
 
 use super::cell::{Fixtures, Job};
 use super::experiment::Input;
@@ -153,7 +153,7 @@ pub(super) fn resume(plan: &Plan, folder: &Path) -> anyhow::Result<usize> {
     };
     ensure!(
         read("plan.txt")? == plan.fingerprint(),
-        "what is in {} is of another run: give the same options, or leave out --resume",
+        "{} holds another run: give the same options, or leave out --resume",
         folder.display()
     );
     let text = whole_lines(read("rows.csv")?);

@@ -14,13 +14,13 @@ use std::f64::consts::TAU;
 use std::process::Command;
 use std::time::Instant;
 
-/// What a process is told: the algorithm, the number of points and the seed.
+/// Before what a process gets: the algorithm, the number of points and the seed.
 pub(super) const ARGUMENT: &str = "--measure";
 
 /// Points on each curve.
 const PER_CURVE: usize = 250;
 
-/// Runs a cell in processes of their own, on so many threads; `None` if it was stopped.
+/// Runs a cell in processes of their own, on a number of threads; `None` if it was stopped.
 pub(super) fn run(
     job: &Job,
     seed: u64,

@@ -75,7 +75,7 @@ fn threads_and_interruptions_change_nothing() {
     };
     let outcome = run(&other, &AtomicBool::new(false));
     let error = outcome.err().unwrap().to_string();
-    assert!(error.contains("of another run"), "{error}");
+    assert!(error.contains("holds another run"), "{error}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use curvecrust::geometry::EdgeSet;
 use curvecrust::reconstruct::Reconstructor;
 use std::time::Instant;
 
-/// The bounds of distances are about so many extents apart.
+/// How far apart the bounds of distances are, in extents.
 const TOLERANCE: f64 = 1e-3;
 
 /// What a cell gave.
@@ -76,7 +76,7 @@ pub(super) fn run(
     Ok(Some(done))
 }
 
-/// Algorithms that can use them are told the ends.
+/// Algorithms that can use the ends get them.
 fn reconstructed(algorithm: &dyn Reconstructor, sampled: &Sampled) -> anyhow::Result<EdgeSet> {
     if algorithm.info().honours_termini {
         Ok(algorithm.reconstruct_open(&sampled.points, &sampled.termini)?)

@@ -24,7 +24,7 @@ pub(super) struct Answered {
 
 /// The answers in cells and times.
 pub(super) fn answered(experiments: &[Experiment], cells: &Cells, times: &[Timing]) -> Answered {
-    // Those that took part: there are more than lines can be told apart.
+    // Those that took part: a chart has fewer looks of lines than there are algorithms.
     let mut algorithms = algorithms::names();
     algorithms.retain(|name| {
         cells.all().iter().any(|cell| cell.algorithm == *name)

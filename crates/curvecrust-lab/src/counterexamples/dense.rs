@@ -23,7 +23,8 @@ pub(super) struct Stretch<'a> {
 }
 
 impl Dense {
-    /// Points at equal steps of the parameter of uniform cubic B-splines, so many a segment.
+    /// Points at equal steps of the parameter of uniform cubic B-splines, the same number on
+    /// each segment.
     ///
     /// At each point the smallest ball that touches the curve there and meets another dense point
     /// has its centre near the medial axis (Ma, Bae, Choi 2012, with the normals of the curve

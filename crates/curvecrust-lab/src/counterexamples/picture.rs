@@ -34,7 +34,7 @@ pub(crate) fn made() -> anyhow::Result<Vec<(String, String)>> {
 
 /// The curve, the samples, and the edges that the algorithm returns.
 fn panel(one: &Counterexample) -> anyhow::Result<Panel> {
-    let points = one.points()?;
+    let points = one.samples.points()?;
     let edges = one.reconstructor()?.reconstruct(&points);
     let segment = |ends: [_; 2]| {
         let [start, end] = ends.map(|id| points[id]);
@@ -43,14 +43,14 @@ fn panel(one: &Counterexample) -> anyhow::Result<Panel> {
     let caption = format!(
         "{}, {} < {}",
         one.algorithm,
-        one.condition(),
-        one.bound.value()
+        one.samples.condition(),
+        one.samples.bound.value()
     );
     Ok(Panel {
         caption,
         frame: None,
         layers: vec![
-            Layer::Curve(curves(&one.control())),
+            Layer::Curve(curves(&one.samples.control())),
             Layer::Edges(
                 edges
                     .edges()

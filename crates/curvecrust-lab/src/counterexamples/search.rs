@@ -1,9 +1,10 @@
 //! The search for curves and samples on which an algorithm fails.
 
 use crate::compare::algorithms::named;
+use crate::counterexamples::Counterexample;
 use crate::counterexamples::dense::Dense;
+use crate::counterexamples::proven::{ProvenSamples, polygons, prove, sampled};
 use crate::counterexamples::shape::Shape;
-use crate::counterexamples::{Counterexample, polygons, prove, sampled};
 use anyhow::Context;
 use curvecrust::geometry::{PointSet, Random};
 use curvecrust::reconstruct::Reconstructor;
@@ -71,8 +72,10 @@ impl Search<'_> {
         let bound = bounds.find(|bound| prove(&sampled, *bound).is_ok());
         Ok(Some(Counterexample {
             algorithm: self.algorithm.to_owned(),
-            bound: bound.context("no bound near the one at dense points is proven")?,
-            sampled,
+            samples: ProvenSamples {
+                bound: bound.context("no bound near the one at dense points is proven")?,
+                sampled,
+            },
         }))
     }
 }

@@ -120,8 +120,8 @@ pub(super) fn draw(layer: &Layer, place: Place) -> Group {
     }
 }
 
-/// The radius of the dots of points: smaller where many of them are close, so that they are told
-/// apart.
+/// The radius of the dots of points: smaller where many of them are close, so that they do not
+/// overlap.
 fn dot(points: &[DVec2], place: Place) -> f64 {
     let nearest = |p: &DVec2| {
         let squared = points.iter().map(|q| p.distance_squared(*q));

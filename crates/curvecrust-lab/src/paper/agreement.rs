@@ -22,8 +22,8 @@ impl fmt::Display for Disagreement {
     }
 }
 
-/// At least so many of the 27 counts of Tables 2 and 3 must be equal in the setting of the authors'
-/// program.
+/// At least this many of the 27 counts of Tables 2 and 3 must be equal in the setting of the
+/// authors' program.
 const EQUAL_OF_27: usize = 20;
 
 impl PaperReport {

@@ -1,6 +1,7 @@
 //! The four curves of the paper's tables: the authors', if they were fetched, or our own.
 
 use super::rows::CurveOrigin;
+use crate::digest::fnv1a;
 use crate::repository::root;
 use anyhow::{Context, ensure};
 use curvecrust::curve::Curve;
@@ -94,10 +95,6 @@ fn digest(curve: &Curve) -> u64 {
         .components()
         .iter()
         .flat_map(|component| component.segments());
-    segments
-        .flat_map(|bezier| bezier.start().to_array())
-        .flat_map(|coordinate| format!("{coordinate:.2} ").into_bytes())
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        })
+    let coordinates = segments.flat_map(|bezier| bezier.start().to_array());
+    fnv1a(coordinates.flat_map(|coordinate| format!("{coordinate:.2} ").into_bytes()))
 }

@@ -71,8 +71,11 @@ fn a_count_that_is_off_is_a_disagreement() {
     let mut report = report(CurveOrigin::Authors, &redrawn(), &PAPER[..1]);
     assert!(!report.agreement().is_empty());
     report.table2[1].sampled.reconstructed = false;
-    let said: Vec<String> = report.agreement().iter().map(ToString::to_string).collect();
-    assert!(said[0].contains("manifold boundary of teaser"), "{said:?}");
+    let message: Vec<String> = report.agreement().iter().map(ToString::to_string).collect();
+    assert!(
+        message[0].contains("manifold boundary of teaser"),
+        "{message:?}"
+    );
 }
 
 #[test]

@@ -8,8 +8,8 @@ True [0 2 1 3]
 
 `reconstruct` finds the curves that points come from, open and closed, `order` sorts points along
 one curve, and `fit` fits smooth curves to points that scatter. `sample` goes the other way, from a
-curve to the few samples that it can be reconstructed from. Nothing needs a parameter; what is known
-can be told.
+curve to the few samples that it can be reconstructed from. No parameter is needed; options
+take what you know of the curves.
 
 Points are whatever numpy takes as an array of shape (n, 2): arrays, lists of pairs, complex
 numbers, data frames of two columns; also points of shapely and geopandas. Lengths are in the unit
@@ -82,7 +82,7 @@ _MODULE_OF = {name: module for module, names in _MODULES.items() for name in nam
 
 
 def __getattr__(name: str) -> Any:
-    """Load what is asked for when it is: numpy takes longer to load than all of this package."""
+    """Load a name when it is first used: numpy takes longer to load than all of this package."""
     if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(f".{_MODULE_OF[name]}", __name__), name)

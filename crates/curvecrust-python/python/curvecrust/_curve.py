@@ -85,7 +85,7 @@ class Curve:
         return self._curve.extent
 
     def polylines(self, per_segment: int = 32) -> list[Floats]:
-        """Return points along each smooth piece, so many on each Bézier.
+        """Return points along each smooth piece, `per_segment` on each Bézier.
 
         That of a closed piece ends where it begins.
         """

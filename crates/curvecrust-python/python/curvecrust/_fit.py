@@ -194,7 +194,7 @@ def fit(
     >>> bool(abs(radius - 1).max() < 0.05 and abs(found.sigma - 0.05) < 0.01)
     True
     """
-    told = {
+    arguments = {
         "closed": None if closed is None else bool(closed),
         "curves": None if curves is None else as_count(curves, "curves", 1),
         "sigma": None if sigma is None else float(sigma),
@@ -202,4 +202,4 @@ def fit(
         "threads": None if threads is None else as_count(threads, "threads", 1),
     }
     array = as_points(points)
-    return Fit(array, _curvecrust.fit(array, told))
+    return Fit(array, _curvecrust.fit(array, arguments))

@@ -20,13 +20,13 @@ class Method:
     cost: str
     """The time that it takes for n points."""
     takes_termini: bool
-    """Whether it can be told which points are ends of open curves."""
+    """Whether it can use which points are ends of open curves."""
     takes_shape: bool
-    """Whether it can be told that curves are closed or open, and how many there are."""
+    """Whether it can use that curves are closed or open, and how many there are."""
     made_for: str
     """The kinds of curves that it is made for, such as 'closed, several'."""
     argued: bool
-    """Whether its definition follows what others wrote of a publication that could not be had."""
+    """Whether its definition follows what others wrote of a publication that was not available."""
 
 
 def methods() -> list[Method]:

@@ -27,8 +27,8 @@ def reconstruct(
 ) -> Reconstruction:
     """Order points into the curves that they come from, open and closed.
 
-    Nothing has to be known. What is known may be told: then only curves that agree with it are
-    looked for.
+    No parameter is needed. If you know whether curves are closed, or how many there are, the
+    result agrees with that.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def reconstruct(
         (n,). They are not copied if they are an array of float64: do not change it afterwards.
     method : str
         One of `methods()`. "least-detour" is the default and of this project (docs/method.md);
-        "hnn-crust" is the fastest and has a theorem (SGP 2016).
+        "hnn-crust" is the fastest, and proven for dense samples (docs/theory.md).
     closed : bool, optional
         Whether all curves are closed, or all are open.
     curves : int, optional
@@ -61,7 +61,7 @@ def reconstruct(
     ------
     ValueError
         For coordinates that are not finite, and equal points: it names the rows. Also for a method
-        that does not exist or cannot use what is told.
+        that does not exist or cannot use the options.
     TypeError
         For points that are no numbers.
 
@@ -76,7 +76,7 @@ def reconstruct(
     >>> bool(np.allclose(steps, np.pi / 6))
     True
     """
-    told = {
+    arguments = {
         "method": _text(method, "method"),
         "closed": None if closed is None else bool(closed),
         "curves": None if curves is None else as_count(curves, "curves", 1),
@@ -86,8 +86,8 @@ def reconstruct(
     }
     array = as_points(points)
     with listening(progress, "reconstructing") as listener:
-        found = _curvecrust.reconstruct(array, told, listener)
-    return Reconstruction(array, told, found)
+        found = _curvecrust.reconstruct(array, arguments, listener)
+    return Reconstruction(array, arguments, found)
 
 
 def order(points: Any, *, closed: bool | None = None) -> NDArray[np.int64]:

@@ -114,10 +114,10 @@ class Reconstruction:
     duplicates: Ints
     """The points that were merged into others, with those others, of shape (k, 2)."""
 
-    def __init__(self, points: Floats, told: dict[str, Any], found: dict[str, Any]) -> None:
+    def __init__(self, points: Floats, arguments: dict[str, Any], found: dict[str, Any]) -> None:
         """Take what the library found; call `reconstruct` instead."""
         self.points = points
-        self._told = told
+        self._arguments = arguments
         for name, array in found.items():
             setattr(self, name, array)
 
@@ -155,7 +155,7 @@ class Reconstruction:
     @cached_property
     def reasons(self) -> Reasons | None:
         """Why each edge is there; None for a method that does not say. Computed when asked for."""
-        why = _curvecrust.explain(self.points, self._told)
+        why = _curvecrust.explain(self.points, self._arguments)
         return None if why is None else Reasons(**why)
 
     @cached_property

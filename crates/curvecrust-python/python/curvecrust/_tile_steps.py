@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 RUN = 2048
 #: Bytes of a sample: its id, x and y.
 SAMPLE = 24
-#: Of so many points for each tile the cuts between tiles are made.
+#: How many points for each tile the cuts between tiles are made from.
 SPREAD = 1024
 #: The column that says where a row goes.
 GOES_TO = "goes_to"
@@ -81,7 +81,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Job:
-    """What is told to each task: no more of it for more points."""
+    """What each task gets: its size does not grow with the points."""
 
     source: str
     target: str
@@ -186,7 +186,7 @@ def columns(job: Job, path: str, x: str | None, y: str | None) -> tuple[str, str
 
 
 def pieces(found: Sequence[File], most: int) -> Iterator[Piece]:
-    """Cut files into pieces of at most so many rows, where their row groups allow it."""
+    """Cut files into pieces of at most this many rows, where their row groups allow it."""
     start = 0
     for file in found:
         first, rows = 0, 0

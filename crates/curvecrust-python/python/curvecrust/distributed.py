@@ -45,7 +45,7 @@ def reconstruct(
     source
         A folder or bucket of Parquet files, one file, or a pattern; an address of fsspec.
     target
-        A folder or bucket for the result, which is made; what is there and not empty is refused.
+        A folder or bucket for the result. It is made; one that is not empty is refused.
     method
         "hnn-crust", "hnn-crust-union" or "nn-crust": those that are local enough.
     x, y

@@ -10,7 +10,7 @@ use crate::known::Shape;
 use crate::tour::{Goal, Near, Task, short_tour};
 
 /// Closed curves through all points, which are not on one line: those among the edges stay, as long
-/// as their number is right, and what is open is closed.
+/// as their number is right, and open ones are closed.
 ///
 /// # Errors
 /// [`CurvesNotFound`](ReconstructError::CurvesNotFound) if points on lines leave no way to have so
@@ -183,7 +183,7 @@ impl<'a> Rings<'a> {
         }
     }
 
-    /// Joins rings by exchanges of two edges, those that cost least first, until there are so many.
+    /// Joins rings by exchanges of two edges, the cheapest first, until there are as many as asked.
     fn join_until(&mut self, asked: usize) {
         let mut rings = self.partners.curves();
         while rings.len() > asked {
@@ -231,7 +231,7 @@ impl<'a> Rings<'a> {
         all.into_iter().map(|(_, exchange)| exchange).collect()
     }
 
-    /// Parts rings by exchanges of two edges, those that cost least first, until there are so many.
+    /// Parts rings by exchanges of two edges, the cheapest first, until there are as many as asked.
     fn part_until(&mut self, asked: usize) {
         let mut rings = self.partners.curves();
         while rings.len() < asked {

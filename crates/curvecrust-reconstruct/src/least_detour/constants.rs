@@ -58,10 +58,10 @@ pub(super) const LEAST_ISOLATED: f64 = 0.3;
 /// A gap is longer than this many spacings of the runs at both of its ends.
 pub(super) const GAP: f64 = 1.2;
 
-/// The logarithm of the length of a gap exceeds that of [`GAP`] spacings by so many deviations.
+/// The logarithm of the length of a gap exceeds that of [`GAP`] spacings by this many deviations.
 pub(super) const GAP_DEVIATIONS: f64 = 3.3;
 
-/// A gap is longer than [`GAP`] times each of so many edges on both sides.
+/// A gap is longer than [`GAP`] times each of this many edges on both sides.
 pub(super) const GAP_EDGES: usize = 64;
 
 /// The largest number of edges of a run.
@@ -107,7 +107,7 @@ pub(super) const BREADTH: [usize; DEPTH] = [5, 3, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1];
 /// of the time.
 pub(super) const FIRST_BREADTH: [usize; 4] = [3, 2, 1, 1];
 
-/// An end is explained by the best of so many candidates, the closest ones.
+/// An end is explained by the best of its closest candidates, at most this many.
 pub(super) const EXPLAINED_CANDIDATES: usize = 8;
 
 /// An exchange lowers the cost if it does so by more than this fraction of all that is added up for

@@ -3,11 +3,11 @@
 //! for 2-matchings, so that every alternating path is an exchange: the result need not be one tour.
 //!
 //! Points are named as theirs. A path removes the edge t1 t2, adds t2 t3, removes t3 t4, and so on;
-//! t2i is its end. They continue a path while its gain, what is removed less what is added, is
-//! positive. Here the next removal counts too: a long edge in the place of two others would not be
-//! found otherwise. And since a bend depends on two edges, a path whose ends seek partners has not
-//! paid for the bends there yet: what the best partners would cost counts too.
-//! The cost of a path is what it adds to the cost of the matching: minus its gain.
+//! t2i is its end. They continue a path while its gain, the cost of removed edges less that of
+//! added ones, is positive. Here the next removal counts too: a long edge in the place of two
+//! others would not be found otherwise. And since a bend depends on two edges, a path whose ends
+//! seek partners has not paid for the bends there yet: what the best partners would cost counts
+//! too. The cost of a path is what it adds to the cost of the matching: minus its gain.
 
 use std::ops::Range;
 
@@ -143,7 +143,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self
     }
 
-    /// Exchanges that begin by adding an edge at a free end of a node; none if it has none.
+    /// Exchanges that begin by adding an edge at a free end of a node; none if it has no free end.
     fn adding_at(mut self, v: u32) -> Self {
         if self.matching.has_free_end(v) {
             let open = self.open_at(v);

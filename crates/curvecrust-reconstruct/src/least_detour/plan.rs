@@ -8,7 +8,7 @@ pub(super) struct Plan {
     /// In how many ways a path continues after each added edge.
     pub(super) breadth: &'static [usize],
     /// Whether paths are left that would cost too much even with the best partners for their ends.
-    /// What is missed so is little, and the search takes half the time.
+    /// That misses little, and the search takes half the time.
     pub(super) leaves_early: bool,
     pub(super) bounds: Bounds,
 }

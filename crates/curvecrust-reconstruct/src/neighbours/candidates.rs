@@ -99,7 +99,7 @@ impl Candidates {
     }
 
     /// The keys of the three closest candidates of each of some points, infinite where there are
-    /// not so many. A point is no candidate for itself.
+    /// fewer. A point is no candidate for itself.
     #[inline(always)]
     pub(super) fn closest(&self, to_x: &[f64; LANES], to_y: &[f64; LANES]) -> [[f64; LANES]; 3] {
         let [mut first, mut second, mut third] = [[f64::INFINITY; LANES]; 3];

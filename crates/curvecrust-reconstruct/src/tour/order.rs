@@ -30,7 +30,7 @@ impl Order {
         self.at.iter().zip(next).map(|(&v, &w)| [v, w])
     }
 
-    /// The vertex so many steps after another.
+    /// The vertex `steps` steps after another.
     pub(super) fn after(&self, v: u32, steps: usize) -> u32 {
         self.at[(self.place[v as usize] as usize + steps) % self.at.len()]
     }

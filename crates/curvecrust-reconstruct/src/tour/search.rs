@@ -8,7 +8,7 @@ use super::cost::Cost;
 use super::near::Near;
 use super::order::Order;
 
-/// How many ways to go on are tried after so many exchanges.
+/// How many ways to go on are tried after each number of exchanges.
 const BREADTH: [usize; 5] = [5, 3, 1, 1, 1];
 
 /// A smaller gain, as a share of the lengths that it is the difference of, is rounding.
@@ -17,11 +17,11 @@ const ROUNDING: f64 = 1e-12;
 /// The longest path of a perturbation.
 const LONGEST_PATH: usize = 10;
 
-/// Of so many gaps each point is tried at the end beside one.
+/// Up to this number of gaps, each point is tried at the end beside one.
 const MOST_GAPS: usize = 8;
 
-/// An exchange that costs more, to be made good by others, moves at most so many vertices. In tours
-/// of twice as many, none moves more.
+/// An exchange that costs more, to be made good by others, moves at most this many vertices. In
+/// tours of twice as many, none moves more.
 const MOST_MOVED: usize = 1_000;
 
 /// Perturbations for each vertex, and their number for any tour.

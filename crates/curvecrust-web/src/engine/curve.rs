@@ -22,10 +22,10 @@ pub(super) enum Source {
     Path(String),
 }
 
-/// Which samples are wanted.
+/// Which condition samples have to satisfy.
 #[derive(Clone, Copy, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Wanted {
+pub(super) struct SampleRequest {
     condition: Name,
     bound: f64,
     /// The Hausdorff limit, as a share of the extent.
@@ -112,9 +112,9 @@ impl Loaded {
     }
 
     /// Samples, the distance of their polygon, and what they attain.
-    pub(super) fn sample(&self, wanted: Wanted) -> Result<Answer, Error> {
+    pub(super) fn sample(&self, request: SampleRequest) -> Result<Answer, Error> {
         let extent = self.split.pieces().extent();
-        let condition = wanted.on(extent)?;
+        let condition = request.on(extent)?;
         let sampling = self.samples(condition, false)?;
         let samples = &sampling.samples;
         let mut answer = Answer::default();
@@ -174,8 +174,8 @@ impl Loaded {
     }
 }
 
-/// The local feature size of a curve; of what is left of it when it is cut where strokes touch or
-/// cross, if they do, and how many places these are.
+/// The local feature size of a curve, which is cut where strokes touch or cross, and the number of
+/// such places.
 fn measured(split: SplitCurve) -> Result<(SplitCurve, usize, MeasuredCurve), Error> {
     let touching = match measure_pieces(&split) {
         Ok(pieces) => return Ok((split, 0, pieces)),
@@ -190,7 +190,7 @@ fn measured(split: SplitCurve) -> Result<(SplitCurve, usize, MeasuredCurve), Err
     Ok((cut.curve, cut.places.len(), pieces))
 }
 
-impl Wanted {
+impl SampleRequest {
     fn on(self, extent: f64) -> Result<Condition, Error> {
         let condition = match self.condition {
             Name::Epsilon => Condition::epsilon(self.bound)?,

@@ -52,7 +52,7 @@ struct RingObject<'a> {
     nesting: u32,
 }
 
-/// What the user told.
+/// What the user knows.
 #[derive(serde::Serialize)]
 struct KnownObject<'a> {
     shape: Option<&'static str>,

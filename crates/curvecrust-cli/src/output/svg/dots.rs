@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// The first colours, on a light page and on a dark one: told apart by those who see few colours,
-/// and by their lightness.
+/// The first colours, on a light page and on a dark one. They differ for those who see few colours,
+/// and in lightness.
 const COLOURS: [[&str; 2]; 8] = [
     ["#0068b8", "#4aa8f0"],
     ["#d55e00", "#ff9248"],

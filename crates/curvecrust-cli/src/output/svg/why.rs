@@ -1,4 +1,4 @@
-//! Edges told apart by why they are there.
+//! Edges in colours that show the reasons for them.
 
 use super::frame::{Frame, LEGEND};
 use super::{Data, Number};

@@ -117,6 +117,6 @@ fn unpack(source: io::Result<Seekable>) -> u8 {
     let found = source.map_err(Flaw::from);
     let found = found.and_then(|source| decode(source, &mut |part| Ok(say(Frame::Part(part))?)));
     // Where nobody reads, this fails too.
-    let said = say(found.map_or_else(Frame::Flaw, |()| Frame::End));
-    u8::from(said.is_err())
+    let message = say(found.map_or_else(Frame::Flaw, |()| Frame::End));
+    u8::from(message.is_err())
 }

@@ -14,7 +14,7 @@ const TEXT: u8 = b't';
 const FLAW: u8 = b'f';
 const END: u8 = b'e';
 
-/// One thing that is said.
+/// One message of the process.
 pub(super) enum Frame<'a> {
     /// A part of what is in the file.
     Part(Part<'a>),

@@ -10,7 +10,7 @@ use std::io::{ErrorKind, Read};
 /// NumPy itself refuses longer headers unless they are trusted.
 const LONGEST: usize = 1 << 16;
 
-/// No file system holds so many.
+/// No file system holds more.
 const MOST_ROWS: u64 = 1 << 56;
 
 /// How the numbers of an array are stored.

@@ -68,7 +68,7 @@ impl Thrift<'_> {
         let mut open: Vec<u64> = Vec::new();
         let mut deepest = 0;
         for _ in 0..count {
-            // What is damaged from here on is so for the crate too, after it was deep.
+            // The crate meets the damage too, and the columns before it have been counted.
             let Some(children) = self.column() else {
                 break;
             };

@@ -218,8 +218,8 @@ mod tests {
     fn a_line_that_is_no_point_is_named() {
         assert_eq!(parse("# head\n1 2\n\n3 4\n1 2\n").unwrap().len(), 2);
         for bad in ["1 2\n3", "1 2\n3 x", "1 2\n3 4 5"] {
-            let said = parse(bad).unwrap_err().to_string();
-            assert!(said.starts_with("line 2"), "{said}");
+            let message = parse(bad).unwrap_err().to_string();
+            assert!(message.starts_with("line 2"), "{message}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Draws Figure 8; its geometry is in [`rolling`](super::rolling).
 
-use super::rolling::{CONFIGURATIONS, Configuration, Scene, Surface, UNCOVERED};
+use super::rolling::{CONFIGURATIONS, Configuration, Geometry, Surface, UNCOVERED};
 use crate::figure::{Ball, Figure, Label, Layer, Panel, Polyline};
 use crate::paper::page::Exhibit;
 use curvecrust::DVec2;
@@ -40,16 +40,16 @@ pub(super) fn figure_8() -> Exhibit {
 }
 
 fn panel(configuration: &Configuration) -> Panel {
-    let scene = configuration.scene();
-    let [alpha, beta] = scene.angles.map(f64::to_degrees);
+    let geometry = configuration.geometry();
+    let [alpha, beta] = geometry.angles.map(f64::to_degrees);
     let surface = match configuration.surface {
         Surface::Disk => "the disk of lfs(y)",
         Surface::Axis => "the x axis",
     };
-    let labels = labels(&scene).into_iter();
+    let labels = labels(&geometry).into_iter();
     // Names that would stand on each other are left out, s0 and x for the smallest ratio.
-    let apart = |label: &Label| scene.s0.length() > 0.1 || !["s0", "x"].contains(&&*label.name);
-    let balls = scene.rolling(BALLS).into_iter();
+    let apart = |label: &Label| geometry.s0.length() > 0.1 || !["s0", "x"].contains(&&*label.name);
+    let balls = geometry.rolling(BALLS).into_iter();
     let layers = vec![
         Layer::Balls(
             balls
@@ -59,11 +59,11 @@ fn panel(configuration: &Configuration) -> Panel {
                 })
                 .collect(),
         ),
-        Layer::Region(turned(scene.region(FINE))),
-        Layer::Construction(construction(&scene, configuration.surface)),
-        Layer::Curve(vec![(turned(curve(&scene)), false)]),
-        Layer::Marks([scene.x, scene.y].map(page).to_vec()),
-        Layer::Points([scene.s0, DVec2::ZERO, scene.s2].map(page).to_vec()),
+        Layer::Region(turned(geometry.region(FINE))),
+        Layer::Construction(construction(&geometry, configuration.surface)),
+        Layer::Curve(vec![(turned(curve(&geometry)), false)]),
+        Layer::Marks([geometry.x, geometry.y].map(page).to_vec()),
+        Layer::Points([geometry.s0, DVec2::ZERO, geometry.s2].map(page).to_vec()),
         Layer::Labels(labels.filter(apart).collect()),
     ];
     Panel {
@@ -79,7 +79,7 @@ fn panel(configuration: &Configuration) -> Panel {
 /// The ninth, with a point that the balls do not reach.
 fn uncovered() -> Panel {
     let mut panel = panel(&UNCOVERED);
-    let corner = page(UNCOVERED.scene().corner());
+    let corner = page(UNCOVERED.geometry().corner());
     let label = Label {
         at: corner,
         towards: DVec2::new(-1.0, -1.0),
@@ -104,8 +104,8 @@ fn written(ratio: f64) -> String {
 
 /// Names on the free side of the curve: below it left of s1, where balls are above, and outside on
 /// the right. That of x is beside the bisector, which runs below x.
-fn labels(scene: &Scene) -> [Label; 5] {
-    let [alpha, beta] = scene.angles;
+fn labels(geometry: &Geometry) -> [Label; 5] {
+    let [alpha, beta] = geometry.angles;
     let label = |name: &str, at: DVec2, towards: DVec2| Label {
         at: page(at),
         towards: page(towards),
@@ -119,11 +119,11 @@ fn labels(scene: &Scene) -> [Label; 5] {
         (DVec2::NEG_Y, DVec2::new(1.0, -1.0))
     };
     [
-        label("s0", scene.s0, below(4.0 * alpha)),
-        label("x", scene.x, below(2.0 * alpha + 0.6)),
+        label("s0", geometry.s0, below(4.0 * alpha)),
+        label("x", geometry.x, below(2.0 * alpha + 0.6)),
         label("s1", DVec2::ZERO, below(FRAC_PI_4)),
-        label("y", scene.y, y_side),
-        label("s2", scene.s2, s2_side),
+        label("y", geometry.y, y_side),
+        label("s2", geometry.s2, s2_side),
     ]
 }
 
@@ -137,8 +137,8 @@ fn turned(points: Vec<DVec2>) -> Vec<DVec2> {
 }
 
 /// From s0 to s2, of constant curvature on both sides of s1.
-fn curve(scene: &Scene) -> Vec<DVec2> {
-    let [alpha, beta] = scene.angles;
+fn curve(geometry: &Geometry) -> Vec<DVec2> {
+    let [alpha, beta] = geometry.angles;
     let side = |angle: f64, end: DVec2| {
         let (turn, length) = (4.0 * angle, end.length());
         (1..=FINE).map(move |i| {
@@ -152,33 +152,33 @@ fn curve(scene: &Scene) -> Vec<DVec2> {
             }
         })
     };
-    let mut points: Vec<DVec2> = side(alpha, scene.s0).collect();
+    let mut points: Vec<DVec2> = side(alpha, geometry.s0).collect();
     points.reverse();
     points.push(DVec2::ZERO);
-    points.extend(side(beta, scene.s2));
+    points.extend(side(beta, geometry.s2));
     points
 }
 
 /// The disk around s1, the bisector of s0 and s1, and what the balls roll on.
-fn construction(scene: &Scene, surface: Surface) -> Vec<Polyline> {
+fn construction(geometry: &Geometry, surface: Surface) -> Vec<Polyline> {
     let circle = |centre: DVec2, radius: f64| {
         let turn = (0..FINE).map(|i| TAU * f64::from(i) / f64::from(FINE));
         let points = turn.map(|angle| centre + radius * DVec2::from_angle(angle));
         (turned(points.collect()), true)
     };
-    let middle = scene.s0 / 2.0;
-    let along = scene.s0.normalize().perp();
-    let reach = (scene.radius().powi(2) - middle.length_squared()).sqrt();
+    let middle = geometry.s0 / 2.0;
+    let along = geometry.s0.normalize().perp();
+    let reach = (geometry.radius().powi(2) - middle.length_squared()).sqrt();
     let bisector = [-1.08, 1.0].map(|sign| middle + sign * reach * along);
     let surface = match surface {
-        Surface::Disk => circle(DVec2::new(0.0, -scene.bend), scene.bend),
+        Surface::Disk => circle(DVec2::new(0.0, -geometry.bend), geometry.bend),
         Surface::Axis => (
             [DVec2::new(-2.6, 0.0), DVec2::new(1.95, 0.0)].to_vec(),
             false,
         ),
     };
     vec![
-        circle(DVec2::ZERO, scene.radius()),
+        circle(DVec2::ZERO, geometry.radius()),
         (turned(bisector.to_vec()), false),
         surface,
     ]

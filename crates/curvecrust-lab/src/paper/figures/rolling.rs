@@ -95,17 +95,17 @@ const fn configuration(
 }
 
 impl Configuration {
-    pub(super) fn scene(&self) -> Scene {
+    pub(super) fn geometry(&self) -> Geometry {
         let largest = |distance: f64| (distance / 2.0).asin();
         let alpha = self.x_angle * largest(self.ratio * RHO);
         let beta = self.y_angle * largest(RHO);
-        Scene::new(self.ratio, [alpha, beta], self.surface)
+        Geometry::new(self.ratio, [alpha, beta], self.surface)
     }
 }
 
 /// A configuration laid out, y upwards.
 #[derive(Clone, Debug)]
-pub(super) struct Scene {
+pub(super) struct Geometry {
     pub(super) s0: DVec2,
     pub(super) x: DVec2,
     pub(super) y: DVec2,
@@ -119,7 +119,7 @@ pub(super) struct Scene {
     surface: Surface,
 }
 
-impl Scene {
+impl Geometry {
     pub(super) fn new(ratio: f64, [alpha, beta]: [f64; 2], surface: Surface) -> Self {
         let near = ratio * RHO;
         let left = |angle: f64| DVec2::new(-angle.cos(), -angle.sin());
@@ -221,50 +221,50 @@ mod tests {
     use crate::paper::figures::covering::BALLS;
 
     /// Every point of the region on a grid of 1/100, and its boundary.
-    fn points(scene: &Scene) -> Vec<DVec2> {
+    fn points(geometry: &Geometry) -> Vec<DVec2> {
         let grid = (-260..=0).flat_map(|i| (-200..=200).map(move |j| (i, j)));
         let grid = grid.map(|(i, j)| DVec2::new(f64::from(i), f64::from(j)) / 100.0);
-        let inside = grid.filter(|&p| scene.in_region(p));
-        inside.chain(scene.region(2000)).collect()
+        let inside = grid.filter(|&p| geometry.in_region(p));
+        inside.chain(geometry.region(2000)).collect()
     }
 
     /// The largest clearance of a point of the region that is in none of the balls.
-    fn highest_gap(scene: &Scene, steps: u32) -> f64 {
-        let balls = scene.rolling(steps);
+    fn highest_gap(geometry: &Geometry, steps: u32) -> f64 {
+        let balls = geometry.rolling(steps);
         let covered = |p: DVec2| {
             balls
                 .iter()
                 .any(|ball| p.distance(ball.centre) <= ball.radius + 1e-12)
         };
-        let gaps = points(scene).into_iter().filter(|&p| !covered(p));
-        gaps.map(|p| scene.clearance(p)).fold(0.0, f64::max)
+        let gaps = points(geometry).into_iter().filter(|&p| !covered(p));
+        gaps.map(|p| geometry.clearance(p)).fold(0.0, f64::max)
     }
 
     #[test]
     fn s0_and_s2_are_as_far_from_x_and_y_as_s1() {
         for configuration in CONFIGURATIONS {
-            let scene = configuration.scene();
+            let geometry = configuration.geometry();
             let near = configuration.ratio * RHO;
-            assert!((scene.x.length() - near).abs() < 1e-12);
-            assert!((scene.x.distance(scene.s0) - near).abs() < 1e-12);
-            assert!((scene.y.length() - RHO).abs() < 1e-12);
-            assert!((scene.y.distance(scene.s2) - RHO).abs() < 1e-12);
+            assert!((geometry.x.length() - near).abs() < 1e-12);
+            assert!((geometry.x.distance(geometry.s0) - near).abs() < 1e-12);
+            assert!((geometry.y.length() - RHO).abs() < 1e-12);
+            assert!((geometry.y.distance(geometry.s2) - RHO).abs() < 1e-12);
             // The disk of lfs(s1) below the axis is free of the curve.
-            for p in [scene.s0, scene.x, scene.y, scene.s2] {
+            for p in [geometry.s0, geometry.x, geometry.y, geometry.s2] {
                 assert!(p.distance(DVec2::NEG_Y) >= 1.0 - 1e-12, "{configuration:?}");
             }
             if configuration.surface == Surface::Disk {
-                assert!((scene.bend - 1.0).abs() < 1e-12, "x lies on that disk");
+                assert!((geometry.bend - 1.0).abs() < 1e-12, "x lies on that disk");
             }
         }
-        let steepest = CONFIGURATIONS[0].scene().angles[0].to_degrees();
+        let steepest = CONFIGURATIONS[0].geometry().angles[0].to_degrees();
         assert!((steepest - 26.74).abs() < 0.01, "{steepest}");
     }
 
     #[test]
     fn rolling_balls_cover_the_region_in_all_eight() {
         for configuration in CONFIGURATIONS {
-            let gap = highest_gap(&configuration.scene(), 20_000);
+            let gap = highest_gap(&configuration.geometry(), 20_000);
             // Between the points where two neighbours touch the surface, there is always a gap.
             assert!(gap < 1e-5, "{configuration:?}: {gap}");
         }
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn so_do_the_balls_that_are_drawn() {
         for configuration in CONFIGURATIONS {
-            let gap = highest_gap(&configuration.scene(), BALLS);
+            let gap = highest_gap(&configuration.geometry(), BALLS);
             assert!(gap < 0.02, "{configuration:?}: {gap}");
         }
     }
@@ -281,9 +281,9 @@ mod tests {
     #[test]
     fn the_fourth_is_close_to_tight() {
         let margin = |configuration: &Configuration| {
-            let scene = configuration.scene();
-            let balls = scene.rolling(20_000).into_iter();
-            let spare = balls.map(|ball| ball.radius - scene.corner().distance(ball.centre));
+            let geometry = configuration.geometry();
+            let balls = geometry.rolling(20_000).into_iter();
+            let spare = balls.map(|ball| ball.radius - geometry.corner().distance(ball.centre));
             spare.fold(f64::NEG_INFINITY, f64::max)
         };
         let margins = CONFIGURATIONS.each_ref().map(margin);
@@ -303,8 +303,8 @@ mod tests {
             let angles = [configuration.x_angle, configuration.y_angle];
             let largest = (RHO / 2.0).asin();
             let angles = angles.map(|fraction| fraction * largest);
-            let scene = Scene::new(configuration.ratio, angles, configuration.surface);
-            highest_gap(&scene, 20_000) < 1e-5
+            let geometry = Geometry::new(configuration.ratio, angles, configuration.surface);
+            highest_gap(&geometry, 20_000) < 1e-5
         });
         assert_eq!(covered, [true, true, true, false, false, true, true, true]);
     }
