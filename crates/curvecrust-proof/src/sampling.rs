@@ -244,11 +244,10 @@ impl Proof<'_> {
             return false;
         };
         pieces.rotate_left(start);
-        let slope = |piece: &Piece| (piece.place - region).dot(piece.velocity);
-        let falling = |piece: &&Piece| slope(piece).is_negative();
-        let mut rest = pieces.iter().skip_while(falling);
-        let mut rest = rest.by_ref().skip_while(|piece| is_convex(piece, region));
-        rest.all(|piece| slope(piece).is_positive())
+        let falling = |piece: &&Piece| piece.slope(region).is_negative();
+        let convex = |piece: &&Piece| piece.bend(region).is_positive();
+        let mut rest = pieces.iter().skip_while(falling).skip_while(convex);
+        rest.all(|piece| piece.slope(region).is_positive())
     }
 
     /// Whether a piece ends where another one starts.
@@ -261,10 +260,4 @@ impl Proof<'_> {
             && start == Interval::point(0.0);
         a.component == b.component && (same || next)
     }
-}
-
-/// Whether the squared distance from each point of a box is strictly convex along a piece.
-fn is_convex(piece: &Piece, region: Vector) -> bool {
-    let second = piece.velocity.square() + (piece.place - region).dot(piece.acceleration);
-    second.is_positive()
 }

@@ -29,6 +29,38 @@ pub(crate) struct Piece {
     pub(crate) velocity: Vector,
     /// A rectangle that holds its second derivatives.
     pub(crate) acceleration: Vector,
+    /// The place and the first three derivatives at a parameter in the middle.
+    middle: [Vector; 4],
+    /// The parameters, from that one on.
+    step: Interval,
+}
+
+impl Piece {
+    /// Half the derivative of the squared distance from the points of a region along the piece.
+    ///
+    /// Near the centre of an arc it hardly changes, though place and velocity do. So it is taken
+    /// from the middle on, by the mean value theorem.
+    pub(crate) fn slope(&self, region: Vector) -> Interval {
+        let [place, velocity, ..] = self.middle;
+        let centre = region.middle();
+        let change = self.bend_from(centre) * self.step;
+        (place - centre).dot(velocity) + change - (region - centre).dot(self.velocity)
+    }
+
+    /// Half the second derivative of the squared distance from the points of a region.
+    pub(crate) fn bend(&self, region: Vector) -> Interval {
+        let centre = region.middle();
+        self.bend_from(centre) - (region - centre).dot(self.acceleration)
+    }
+
+    /// That from one point, by the mean value theorem too.
+    fn bend_from(&self, centre: Vector) -> Interval {
+        let [place, velocity, acceleration, third] = self.middle;
+        let change = Interval::point(3.0) * self.velocity.dot(self.acceleration)
+            + (self.place - centre).dot(third);
+        let at_middle = velocity.square() + (place - centre).dot(acceleration);
+        at_middle + change * self.step
+    }
 }
 
 impl ClosedSpline {
@@ -73,7 +105,8 @@ impl ClosedSpline {
         parameter: Interval,
     ) -> Piece {
         let middle = Interval::point(parameter.middle());
-        let [place, first, second, third] = self.derivatives(segment, middle);
+        let at_middle = self.derivatives(segment, middle);
+        let [place, first, second, third] = at_middle;
         // Taylor's formula is exact for a cubic.
         let step = parameter - middle;
         let half = 0.5 * step;
@@ -88,6 +121,8 @@ impl ClosedSpline {
             place: place + chord.times(step),
             velocity,
             acceleration,
+            middle: at_middle,
+            step,
         }
     }
 

@@ -49,6 +49,11 @@ impl Vector {
         x.max(y)
     }
 
+    /// One vector in the middle.
+    pub(crate) fn middle(self) -> Self {
+        Self::point([self.x.middle(), self.y.middle()])
+    }
+
     /// Two rectangles that cover it, cut across the longer side.
     pub(crate) fn halves(self) -> [Self; 2] {
         if self.y.is_wider(self.x) {
