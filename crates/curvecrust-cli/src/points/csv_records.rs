@@ -22,6 +22,8 @@ pub(super) struct CsvRecords<R> {
     line_ends: u64,
     /// The last byte that was read.
     last: Option<u8>,
+    /// Whether that was the end of a line behind the record.
+    has_line_end: bool,
 }
 
 impl<R: BufRead> CsvRecords<R> {
@@ -36,6 +38,7 @@ impl<R: BufRead> CsvRecords<R> {
             len: 0,
             line_ends: 0,
             last: None,
+            has_line_end: false,
         }
     }
 
@@ -53,7 +56,9 @@ impl<R: BufRead> CsvRecords<R> {
                 &mut self.ends[self.len..],
             );
             self.line_ends += line_ends(self.last, &input[..read]);
-            self.last = input[..read].last().copied().or(self.last);
+            let last = input[..read].last().copied();
+            self.has_line_end = matches!(last, Some(b'\n' | b'\r'));
+            self.last = last.or(self.last);
             self.input.consume(read);
             written += bytes;
             self.len += fields;
@@ -93,8 +98,7 @@ impl<R: BufRead> Records for CsvRecords<R> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         let fields = starts.zip(&self.ends[..self.len]);
         let inside = fields.map(|(start, &end)| line_ends(None, &self.bytes[start..end]));
-        let behind = matches!(self.last, Some(b'\n' | b'\r'));
-        1 + self.line_ends - inside.sum::<u64>() - u64::from(behind)
+        1 + self.line_ends - inside.sum::<u64>() - u64::from(self.has_line_end)
     }
 
     fn place(&self, index: usize) -> Place {
