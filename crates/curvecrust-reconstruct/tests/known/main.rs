@@ -348,7 +348,7 @@ fn no_edge_is_rejected_that_is_there() {
     let (mut random, mut rejected) = (Random::new(11), 0);
     for _ in 0..60 {
         let mut place = || DVec2::new(random.unit(), random.unit());
-        let points = PointSet::new((0..12).map(|_| place()).collect()).unwrap();
+        let points = PointSet::new((0..20).map(|_| place()).collect()).unwrap();
         for curves in 1..3 {
             let known = known(Some(Shape::Open), curves, &[]);
             let why = LeastDetour.explain_known(&points, &known).unwrap().unwrap();
