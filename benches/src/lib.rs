@@ -5,6 +5,7 @@
 
 pub mod comparison;
 pub mod curves;
+pub mod growth;
 pub mod least_detour;
 pub mod machine;
 pub mod peers;

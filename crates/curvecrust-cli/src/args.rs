@@ -114,6 +114,9 @@ pub(crate) struct Reconstruct {
     /// Carry this along to the result: z, the heights of the points
     #[arg(long, value_name = "COLUMN")]
     pub(crate) keep: Option<Keep>,
+    /// Say in JSON why edges are there and ends are open, which takes much longer than to find them
+    #[arg(long)]
+    pub(crate) why: bool,
     #[command(flatten)]
     pub(crate) tiles: Tiles,
     #[command(flatten)]

@@ -88,7 +88,11 @@ fn run(cli: Cli, console: &Console) -> anyhow::Result<Outcome> {
     if job.computes() {
         threads::start(cli.threads, console)?;
     }
-    job.run(console)
+    let outcome = job.run(console)?;
+    if output::was_lost() {
+        console.note("stdout is closed: what was printed there is lost");
+    }
+    Ok(outcome)
 }
 
 /// The number of points in a file of the format with this extension, or the message about it; by

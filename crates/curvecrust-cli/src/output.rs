@@ -26,6 +26,10 @@ use atomic::Target;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether something was printed to a stdout that was closed.
+static LOST: AtomicBool = AtomicBool::new(false);
 
 /// The formats that points, lines and polygons are written in, the one of stdout first.
 pub(crate) const GEOMETRIES: &[Format] = &[
@@ -186,8 +190,36 @@ pub(crate) fn print_json(object: &impl Serialize) -> anyhow::Result<()> {
 pub(crate) fn to_stdout(
     content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> anyhow::Result<()> {
+    if stdout_was_closed() {
+        LOST.store(true, Ordering::Relaxed);
+    }
     atomic::buffered(io::stdout(), content)
         .map_err(|error| anyhow::Error::new(error).context("cannot write to stdout"))
+}
+
+/// Whether something was printed that nobody can ever read.
+pub(crate) fn was_lost() -> bool {
+    LOST.load(Ordering::Relaxed)
+}
+
+/// Whether there was no stdout when the program started. Rust opens the null device in its place,
+/// also for reading, which `> /dev/null` does not.
+fn stdout_was_closed() -> bool {
+    #[cfg(unix)]
+    {
+        use std::fs::{File, metadata};
+        use std::io::Read;
+        use std::os::fd::AsFd;
+        use std::os::unix::fs::MetadataExt;
+        let device = |file: &File| Some(file.metadata().ok()?.rdev());
+        let null = metadata("/dev/null").map(|null| null.rdev()).ok();
+        let stdout = io::stdout().as_fd().try_clone_to_owned().map(File::from);
+        stdout.is_ok_and(|mut out| {
+            null.is_some() && device(&out) == null && out.read(&mut [0]).is_ok()
+        })
+    }
+    #[cfg(not(unix))]
+    false
 }
 
 fn json(out: &mut dyn Write, object: &impl Serialize) -> io::Result<()> {

@@ -59,6 +59,25 @@ fn a_stray_edge_and_a_missing_one_show_in_their_own_direction() {
     assert!(found.polygon_to_curve.upper < 0.01);
 }
 
+/// It grows with the extent.
+#[test]
+fn a_tolerance_is_at_least_1e_7_of_the_extent() {
+    for scale in [1.0, 1024.0] {
+        let data = format!("M 0 0 C 0 {scale} {scale} {scale} {} 0", 2.0 * scale);
+        let curve = Curve::from_path_data(&data).unwrap();
+        let points = vec![
+            DVec2::ZERO,
+            DVec2::new(scale, scale),
+            DVec2::new(2.0 * scale, 0.0),
+        ];
+        let points = PointSet::new(points).unwrap();
+        let with = |tolerance: f64| hausdorff(&curve, &points, &ring(&points), tolerance);
+        let least = 1e-7 * curve.extent();
+        assert_eq!(with(0.0), with(least));
+        assert_ne!(with(0.0), with(2.0 * least));
+    }
+}
+
 #[test]
 fn nothing_is_infinitely_far() {
     let circle = Curve::from_path_data(CIRCLE).unwrap();

@@ -234,6 +234,12 @@ mod tests {
                 .collect();
             covered.sort_unstable();
             prop_assert_eq!(covered, set.edges());
+            for chain in set.chains() {
+                prop_assert_eq!(chain.edge_count(), chain.edges().count());
+                let ends = usize::from(!chain.is_closed());
+                prop_assert_eq!(chain.as_ref().len(), chain.edge_count() + ends);
+                prop_assert_eq!(chain.as_ref(), &Vec::from(chain.clone())[..]);
+            }
         }
 
         #[test]

@@ -51,7 +51,9 @@ fn margins(points: &PointSet, edges: [&EdgeSet; 2]) -> Vec<f64> {
         let [one, other] = edges.map(|edges| edges.contains(found.edge));
         one != other
     });
-    in_doubt.map(|found| found.margin.unwrap()).collect()
+    in_doubt
+        .map(|found| found.margin_at_most.unwrap())
+        .collect()
 }
 
 #[test]

@@ -188,7 +188,7 @@ pub(crate) fn explain<'py>(
     };
     let rejected = |end: &curvecrust::reconstruct::FreeEnd| {
         end.rejected
-            .map_or((-1, f64::NAN), |r| (input.row(r.partner), r.cost))
+            .map_or((-1, f64::NAN), |r| (input.row(r.partner), r.cost_at_most))
     };
     let edges = why.edges.iter();
     Arrays::new(py)
@@ -201,8 +201,10 @@ pub(crate) fn explain<'py>(
             edges.clone().map(|e| e.reason.name()).collect::<Vec<_>>(),
         )?
         .with(
-            "margins",
-            edges.map(|e| e.margin.unwrap_or(f64::NAN)).collect(),
+            "margins_at_most",
+            edges
+                .map(|e| e.margin_at_most.unwrap_or(f64::NAN))
+                .collect(),
         )?
         .with(
             "ends",
@@ -220,7 +222,7 @@ pub(crate) fn explain<'py>(
             why.free_ends.iter().map(|end| rejected(end).0).collect(),
         )?
         .with(
-            "costs",
+            "costs_at_most",
             why.free_ends.iter().map(|end| rejected(end).1).collect(),
         )
         .map(|arrays| Some(arrays.finish()))

@@ -19,7 +19,7 @@ use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
 
 use crate::algorithm::Reconstructor;
 use crate::error::ReconstructError;
-use crate::explanation::{ExplainedEdge, Explanation, Reason};
+use crate::explanation::{ExplainedEdge, Explanation, Reason, Rejected};
 use crate::known::{Known, Shape, are_on_a_line, distinct};
 use crate::tour::{Goal, Task, short_tour};
 
@@ -79,7 +79,7 @@ pub(crate) fn explain(
     let required = |&edge: &Edge| ExplainedEdge {
         edge,
         reason: Reason::Required,
-        margin: None,
+        margin_at_most: None,
     };
     let explained = edges.edges().iter();
     why.edges = explained
@@ -90,6 +90,12 @@ pub(crate) fn explain(
         let free = 2 - degrees[end.point.index()].min(2);
         u32::from(end.count) == free
     });
+    for end in &mut why.free_ends {
+        let joined = |rejected: &Rejected| Edge::new(end.point, rejected.partner);
+        end.rejected = end
+            .rejected
+            .filter(|rejected| joined(rejected).is_some_and(|edge| !edges.contains(edge)));
+    }
     Ok(Some(why))
 }
 

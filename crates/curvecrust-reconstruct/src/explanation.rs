@@ -24,10 +24,11 @@ pub struct ExplainedEdge {
     pub edge: Edge,
     /// How it came to be there.
     pub reason: Reason,
-    /// By how much the cost would rise, by the best edges without this one that the search finds:
-    /// near 0 where another answer is as good. The logarithm of a ratio of likelihoods, without a
-    /// unit. `None` for certified edges, which are not exchanged, and for required ones.
-    pub margin: Option<f64>,
+    /// By how much the cost would rise at most without this edge: an upper bound, from the best
+    /// edges without it that the search finds. Near 0, another answer is as good. The logarithm of
+    /// a ratio of likelihoods, without a unit. `None` for certified edges, which are not exchanged,
+    /// for required ones, and where the search finds no edges without it.
+    pub margin_at_most: Option<f64>,
 }
 
 /// How an edge came to be there.
@@ -76,7 +77,8 @@ pub struct FreeEnd {
     pub count: u8,
     /// What they cost: minus the logarithm of a likelihood, without a unit.
     pub penalty: f64,
-    /// The exchange that gives the point another edge and costs least; `None` if there is none.
+    /// Of the exchanges that the search finds and that give the point one edge more, the one that
+    /// costs least; `None` if it finds none.
     pub rejected: Option<Rejected>,
 }
 
@@ -86,9 +88,9 @@ pub struct FreeEnd {
 pub struct Rejected {
     /// The other end of the edge.
     pub partner: PointId,
-    /// By how much the cost would rise, by the best edges with this one that the search finds: the
-    /// logarithm of a ratio of likelihoods, without a unit.
-    pub cost: f64,
+    /// By how much the cost would rise at most with this edge: an upper bound, from the best edges
+    /// with it that the search finds. The logarithm of a ratio of likelihoods, without a unit.
+    pub cost_at_most: f64,
 }
 
 impl Explanation {

@@ -144,7 +144,8 @@ impl Reconstructor for LeastDetour {
     }
 
     /// Edges that only knowledge about the curves requires have the reason
-    /// [`Reason::Required`](crate::explanation::Reason::Required). Always `Some`.
+    /// [`Reason::Required`](crate::explanation::Reason::Required). Margins, penalties and costs are
+    /// those of the curves without it. Always `Some`.
     fn explain_known(
         &self,
         points: &PointSet,
@@ -171,7 +172,7 @@ impl Reconstructor for LeastDetour {
     /// let alone = why.free_ends.iter().find(|end| end.point == 9.into()).unwrap();
     /// let rejected = alone.rejected.unwrap();
     /// assert_eq!(rejected.partner, 8.into());
-    /// assert!(rejected.cost > 0.0);
+    /// assert!(rejected.cost_at_most > 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     fn explain(

@@ -33,15 +33,16 @@ pub enum SamplingError {
     /// or for so many that they cannot be certified with [`DENSE_LIMIT`] dense points: each takes a
     /// few.
     #[error(
-        "{what} is {value:e}, which asks for about {count} samples, too many for {DENSE_LIMIT} dense points, the \
-         most there can be: take a larger one"
+        "{what} is {value:e}, which asks for {} samples, too many for {DENSE_LIMIT} dense points, the most there \
+         can be: take a larger one",
+        about(*count)
     )]
     TooMany {
         /// What is too small.
         what: &'static str,
         /// How small it is.
         value: f64,
-        /// About how many samples it asks for.
+        /// About how many samples it asks for; `u64::MAX` stands for all that are more.
         count: u64,
     },
     /// A sample does not come after the one before it.
@@ -157,6 +158,14 @@ impl SamplingError {
     pub(crate) fn too_many(what: &'static str, value: f64, count: f64) -> Self {
         let count = count_of(count);
         Self::TooMany { what, value, count }
+    }
+}
+
+/// How a count that may have been cut off is said.
+fn about(count: u64) -> String {
+    match count {
+        u64::MAX => String::from("more than 10^19"),
+        count => format!("about {count}"),
     }
 }
 

@@ -143,7 +143,7 @@ fn better_start(
         progress(round / positions.len() * step);
     }
     let goes_round = |walk: &&[usize; 2]| walk[1] >= walk[0] + round;
-    walks.iter().find(goes_round).map(|walk| walk[0] % round)
+    walks.iter().find(goes_round).map(|walk| walk[0])
 }
 
 /// How far greedy jumps from every position of a closed component, in gaps; or a gap that is too
@@ -252,6 +252,29 @@ mod tests {
             }
         }
         assert!(differ > 10, "{differ}");
+    }
+
+    /// In more than one batch: a jump that is longer by one does not hold.
+    #[test]
+    fn jumps_are_as_long_as_they_can_be() {
+        let d = "M 0 0 C 30 -20 50 20 80 0 S 120 40 80 60 S 30 30 0 60 S -30 20 0 0 Z";
+        let options = MeasureOptions {
+            discretisation: Discretisation::PerSegment(9_000),
+            ..MeasureOptions::default()
+        };
+        let measured = measure_with(&Curve::from_path_data(d).unwrap(), &options).unwrap();
+        let arcs = &Arcs::of(&measured)[0];
+        let round = arcs.len();
+        assert!(round > 17 * CHUNK);
+        let condition = Condition::rho(0.5).unwrap().with_hausdorff_limit(0.2);
+        let condition = condition.unwrap();
+        let heard = std::sync::Mutex::new(Vec::new());
+        let jumps = jumps(arcs, condition, &|done| heard.lock().unwrap().push(done)).unwrap();
+        assert_eq!(heard.into_inner().unwrap(), [16 * CHUNK, round]);
+        for (from, &jump) in jumps.iter().enumerate().step_by(101) {
+            assert!(arcs.holds(condition, from, from + jump));
+            assert!(!arcs.holds(condition, from, from + jump + 1));
+        }
     }
 
     /// By definition: the first of the starts from which the fewest jumps go round.

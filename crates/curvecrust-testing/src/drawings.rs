@@ -93,17 +93,19 @@ fn gear(n: usize, waves: usize, depth: f64) -> Curve {
     )])
 }
 
-/// An Archimedean spiral, eight cubics a turn.
+/// An Archimedean spiral, its arms 6.3 apart and its cubics about 8 long.
 fn spiral(n: usize) -> Curve {
-    let step = TAU / 8.0;
+    const LENGTH: f64 = 8.0;
     let knot = |i: usize| {
-        let angle = TAU + step * i as f64;
+        // The angle is also the radius, so that half of its square is about the length.
+        let angle = (4.0 * TAU * TAU + 2.0 * LENGTH * i as f64).sqrt();
         let direction = DVec2::from_angle(angle);
-        [angle * direction, direction + angle * direction.perp()]
+        let by_angle = direction + angle * direction.perp();
+        [angle * direction, by_angle * (LENGTH / angle)]
     };
     curve(vec![through(
         &(0..=n).map(knot).collect::<Vec<_>>(),
-        step,
+        1.0,
         false,
     )])
 }

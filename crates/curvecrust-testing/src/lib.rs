@@ -7,6 +7,7 @@
 //! | [`fixtures`] | the drawings and point sets of the folder `fixtures`, and its list |
 //! | [`planted`] | points of any number, with the edges that a reconstruction has to find |
 //! | [`hard_points`] | points that are hard on an algorithm, of any number, by name |
+//! | [`scattered`] | uniform points, noise, lattices, borders of pixels, of any number, by name |
 //! | [`strategies`] | nearly degenerate points for proptest, which integers can check |
 //! | [`moves`] | the same points elsewhere, larger or in another order, and their edges |
 //! | [`curves`] | random smooth curves |
@@ -28,4 +29,5 @@ pub mod fixtures;
 pub mod hard_points;
 pub mod moves;
 pub mod planted;
+pub mod scattered;
 pub mod strategies;

@@ -287,7 +287,7 @@ function unique() {
     "6. Where the answer stops being unique",
     [
       "Too few samples do not tell what they come from. Here two rows come nearer to each other, until across is as short as along.",
-      "Least detour says by how much its answer is better than the next one: the smallest margin of its edges.",
+      "Least detour says by how much at most its answer is better than the next one: the smallest margin of its edges.",
     ],
     { label: "Distance of the rows", min: 0.5, max: 2.5, step: 0.05, value: 1 },
   );
@@ -310,7 +310,7 @@ function unique() {
     plot.box = boxOf(points);
     const margins = Array.from(answer.margins).filter(Number.isFinite);
     const margin = margins.length ? Math.min(...margins).toFixed(2) : "none needed: all are certified";
-    note.textContent = `${answer.lengths.length} curves; smallest margin: ${margin}.`;
+    note.textContent = `${answer.lengths.length} curves; smallest margin, at most: ${margin}.`;
     plot.redraw();
   };
   slider.addEventListener("input", update);

@@ -310,7 +310,7 @@ function why(side, edge) {
   const start = `Edge ${edges[2 * edge]} – ${edges[2 * edge + 1]} by ${name}: `;
   if (!reasons) return `${start}its definition is its reason.`;
   const margin = Number.isFinite(margins[edge])
-    ? ` Without it the cost would rise by ${margins[edge].toFixed(2)}.`
+    ? ` Without it the cost would rise by at most ${margins[edge].toFixed(2)}.`
     : "";
   return `${start}${REASONS[reasons[edge]] ?? reasons[edge]}.${margin}`;
 }

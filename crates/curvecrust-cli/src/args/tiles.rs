@@ -13,7 +13,7 @@ pub(crate) struct Tiles {
         value_name = "FOLDER",
         conflicts_with_all = [
             "json", "closed", "open", "curves", "terminus", "termini_from", "merge_duplicates",
-            "merge_within", "x", "vertices", "keep",
+            "merge_within", "x", "vertices", "keep", "why",
         ]
     )]
     pub(crate) tiles: Option<PathBuf>,

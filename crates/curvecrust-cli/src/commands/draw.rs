@@ -7,7 +7,6 @@ use crate::args::{self, Algorithm};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{Layer, Output, Picture, Places};
-use anyhow::ensure;
 use curvecrust::curve::Curve;
 use curvecrust::denoise::{Fitted, denoise};
 use curvecrust::geometry::Segment;
@@ -152,11 +151,7 @@ impl PointLayers {
                 Ok((algorithm.reconstruct(points), None))
             }
         })?;
-        ensure!(
-            why.is_some() || !self.why,
-            "{} gives no reasons for its edges: draw without --why",
-            algorithm.info().name
-        );
+        reconstruct::ensure_reasons(self.why, why.as_ref(), algorithm)?;
         drawn.curves = Some(Reconstruction::new(points, edges)?);
         drawn.why = why;
         Ok(drawn)

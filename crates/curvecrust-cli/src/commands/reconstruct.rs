@@ -13,7 +13,7 @@ use crate::args::{self, Algorithm, Keep};
 use crate::console::Console;
 use crate::format::Format;
 use crate::output::{GEOMETRIES, Layer, Output, Picture, Results, npy};
-use anyhow::{Context, bail};
+use anyhow::{Context, bail, ensure};
 use curvecrust::geometry::{EdgeSet, PointSet};
 use curvecrust::reconstruct::{
     Explanation, Known, LeastDetour, ReconstructError, Reconstruction, Reconstructor,
@@ -30,6 +30,8 @@ pub(crate) struct Job {
     known: args::Known,
     /// A file of ends of curves.
     termini: Option<PointSource>,
+    /// Whether the reasons of edges and of open ends are told.
+    why: bool,
     results: Results,
 }
 
@@ -37,6 +39,9 @@ impl Job {
     pub(crate) fn new(args: args::Reconstruct) -> anyhow::Result<Self> {
         let formats = [GEOMETRIES, &[Format::Npy]].concat();
         let results = Results::new(args.output, args.json, &formats)?;
+        if args.why && !(results.json || results.writes(Format::Json)) {
+            bail!("JSON alone has room for reasons: give --json with --why");
+        }
         let mut points = PointSource::from(args.points);
         if args.keep == Some(Keep::Z) {
             let flat = [Format::Svg, Format::Npy];
@@ -49,6 +54,7 @@ impl Job {
             results,
             points,
             algorithm: args.algorithm,
+            why: args.why,
             termini: args.known.termini_from.clone().map(PointSource::of_termini),
             known: args.known,
         })
@@ -63,16 +69,15 @@ impl Job {
                 .termini
                 .extend(termini.with_context(|| source.name())?);
         }
-        // Objects alone have room for reasons, which take longer to find than the edges.
-        let with_reasons = self.results.json || self.results.writes(Format::Json);
         let (edges, why) = console.during("reconstructing", |_| {
-            if with_reasons {
+            if self.why {
                 explained(self.algorithm, &bare.points, &known)
             } else {
                 let edges = self.algorithm.reconstruct_known(&bare.points, &known)?;
                 Ok((edges, None))
             }
         })?;
+        ensure_reasons(self.why, why.as_ref(), self.algorithm)?;
         let summary = Summary::new(&bare, &edges, &known.termini);
         let hints = hints::hints(&bare, &edges);
         console.during("writing", |_| self.write(&bare, &known, edges, why))?;
@@ -137,6 +142,20 @@ pub(crate) fn explained(
         Some(why) => Ok((why.edge_set(points.len()), Some(why))),
         None => Ok((algorithm.reconstruct_known(points, known)?, None)),
     }
+}
+
+/// An error where reasons are asked for that an algorithm does not give.
+pub(crate) fn ensure_reasons(
+    wanted: bool,
+    why: Option<&Explanation>,
+    algorithm: Algorithm,
+) -> anyhow::Result<()> {
+    ensure!(
+        why.is_some() || !wanted,
+        "{} gives no reasons for its edges: leave out --why",
+        algorithm.info().name
+    );
+    Ok(())
 }
 
 /// Writes edges between points as `reconstruct` does by default, in every format but `npy`.

@@ -7,7 +7,8 @@ use super::{Flaw, Place, Problem};
 use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
 use std::io::{self, BufRead, ErrorKind};
 
-/// The records of a reader, by the crate `csv-core`, which counts lines.
+/// The records of a reader, by the crate `csv-core`. Lines end with a line feed, a carriage return,
+/// or both.
 pub(super) struct CsvRecords<R> {
     input: R,
     reader: Reader,
@@ -17,8 +18,12 @@ pub(super) struct CsvRecords<R> {
     /// Where each of them ends.
     ends: Vec<usize>,
     len: usize,
-    /// Whether the last byte of the record was the line feed behind it.
-    has_line_feed: bool,
+    /// The ends of lines up to the end of the record.
+    line_ends: u64,
+    /// The last byte that was read.
+    last: Option<u8>,
+    /// Whether that was the end of a line behind the record.
+    has_line_end: bool,
 }
 
 impl<R: BufRead> CsvRecords<R> {
@@ -31,7 +36,9 @@ impl<R: BufRead> CsvRecords<R> {
             bytes: vec![0; 1024],
             ends: vec![0; 16],
             len: 0,
-            has_line_feed: false,
+            line_ends: 0,
+            last: None,
+            has_line_end: false,
         }
     }
 
@@ -48,7 +55,10 @@ impl<R: BufRead> CsvRecords<R> {
                 &mut self.bytes[written..],
                 &mut self.ends[self.len..],
             );
-            self.has_line_feed = input[..read].last() == Some(&b'\n');
+            self.line_ends += line_ends(self.last, &input[..read]);
+            let last = input[..read].last().copied();
+            self.has_line_end = matches!(last, Some(b'\n' | b'\r'));
+            self.last = last.or(self.last);
             self.input.consume(read);
             written += bytes;
             self.len += fields;
@@ -85,9 +95,10 @@ impl<R: BufRead> Records for CsvRecords<R> {
     }
 
     fn line(&self) -> u64 {
-        let bytes = &self.bytes[..self.ends[self.len - 1]];
-        let inside = bytes.iter().filter(|&&byte| byte == b'\n').count();
-        self.reader.line() - inside as u64 - u64::from(self.has_line_feed)
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        let fields = starts.zip(&self.ends[..self.len]);
+        let inside = fields.map(|(start, &end)| line_ends(None, &self.bytes[start..end]));
+        1 + self.line_ends - inside.sum::<u64>() - u64::from(self.has_line_end)
     }
 
     fn place(&self, index: usize) -> Place {
@@ -105,6 +116,19 @@ impl<R: BufRead> Records for CsvRecords<R> {
         };
         problem.at(Place::Line(self.line()))
     }
+}
+
+/// How many lines end in some bytes, of which another one may stand before.
+fn line_ends(before: Option<u8>, bytes: &[u8]) -> u64 {
+    let each_before = std::iter::once(before).chain(bytes.iter().copied().map(Some));
+    let ends = each_before
+        .zip(bytes)
+        .filter(|&(before, &byte)| match byte {
+            b'\r' => true,
+            b'\n' => before != Some(b'\r'),
+            _ => false,
+        });
+    ends.count() as u64
 }
 
 #[cfg(test)]
@@ -127,6 +151,7 @@ mod tests {
         let expected = |fields: [(&str, u64); 3]| fields.map(|(f, line)| (f.to_owned(), line));
         let plain = expected([("a", 1), ("b", 2), ("c", 3)]);
         let spaced = expected([("a", 2), ("b", 5), ("c", 6)]);
+        assert_eq!(lines("a,1\rb,2\rc,3\r"), plain);
         for end in ["\n", "\r\n"] {
             assert_eq!(lines(&["a,1", "b,2", "c,3"].join(end)), plain);
             let text = ["# one", "a,1", "", "# two", "b,2", "c,3", "", "  ", ""];
@@ -134,8 +159,34 @@ mod tests {
         }
         let quoted = expected([("a\nA", 1), ("b", 3), ("c\n\nC", 4)]);
         assert_eq!(lines("\"a\nA\",1\nb,2\n\"c\n\nC\",3\n"), quoted);
+        assert_eq!(lines("\"a\nA\",1\r\nb,2\r\n\"c\n\nC\",3\r\n"), quoted);
         // A quote that is never closed.
         assert_eq!(lines("a,1\nb,\"2\n"), plain[..2]);
+    }
+
+    /// A reader that is interrupted before each piece that it gives.
+    struct Interrupted<'a>(&'a [u8], bool);
+
+    impl io::Read for Interrupted<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            self.1 = !self.1;
+            if self.1 {
+                return Err(ErrorKind::Interrupted.into());
+            }
+            let few = buffer.len().min(3);
+            self.0.read(&mut buffer[..few])
+        }
+    }
+
+    #[test]
+    fn what_interrupts_a_read_does_not_end_it() {
+        let input = io::BufReader::with_capacity(3, Interrupted(b"a,1\r\nb,2\r\n", false));
+        let mut records = CsvRecords::new(input, b',');
+        for line in 1..3 {
+            assert!(records.advance().unwrap());
+            assert_eq!(records.line(), line);
+        }
+        assert!(!records.advance().unwrap());
     }
 
     #[test]

@@ -120,6 +120,8 @@ pub(crate) enum Problem {
     Type(String),
     #[error("the shape is ({0}): points have the shape (n, 2)")]
     Shape(String),
+    #[error("the array has {rows} rows: at most {} points are read at once", u32::MAX - 1)]
+    ManyRows { rows: usize },
     #[error("the shape is ({0}): the coordinates of one axis have the shape (n,)")]
     ColumnShape(String),
     #[error("the arrays {first} and {second} have {first_rows} and {second_rows} rows")]

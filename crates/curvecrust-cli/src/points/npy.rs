@@ -20,8 +20,11 @@ const CHUNK: usize = 8192;
 pub(super) fn read(mut reader: impl Read, options: &ReadOptions) -> Result<PointList, Flaw> {
     let header = header::read(&mut reader)?;
     let Header { rows, columns, .. } = header;
-    if columns < 2 || rows > u32::MAX as usize {
+    if columns < 2 {
         return Err(Problem::Shape(header.shape).into());
+    }
+    if rows >= u32::MAX as usize {
+        return Err(Problem::ManyRows { rows }.into());
     }
     // A header may promise more than follows: no more is reserved than was read.
     let mut points: Vec<DVec2> = Vec::new();

@@ -267,6 +267,10 @@ fn numpy_arrays_that_hold_no_points() {
             "the shape is (4,): points have the shape (n, 2)",
         ),
         (
+            npy("'<f8'", "(4294967295, 2)", &ones),
+            "the array has 4294967295 rows: at most 4294967294 points are read at once",
+        ),
+        (
             npy("'<f8'", "(1, 4)", &ones),
             "the shape is (1, 4): points have the shape (n, 2)",
         ),

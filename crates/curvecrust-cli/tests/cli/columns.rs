@@ -106,7 +106,7 @@ fn columns_in_columns_do_not_fill_the_stack() {
             "error: p.parquet: the table cannot be read: its columns are more than 64 levels deep"
         );
     }
-    let shallow = error("p.parquet", nested(60), "");
+    let shallow = error("p.parquet", nested(64), "");
     assert!(
         shallow.contains("no columns are named x and y"),
         "{shallow}"

@@ -102,10 +102,10 @@ fn objects_have_the_documented_keys() {
         .fine();
     folder.write("z.csv", "x,y,z\n0,0,1\n4,0,2\n2,3,3\n");
     for (command, line) in [
-        // What is known has a key only if something is, and heights only if they are kept.
+        // What is known, heights and reasons have keys only where they are asked for.
         (
             "reconstruct",
-            String::from("reconstruct z.csv --closed --curves 1 --keep z"),
+            String::from("reconstruct z.csv --closed --curves 1 --keep z --why"),
         ),
         ("sample", format!("sample {curve} --rho 0.9")),
         ("check", format!("check {curve} s.csv --rho 0.9")),

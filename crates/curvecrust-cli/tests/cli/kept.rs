@@ -285,6 +285,11 @@ fn the_reference_system_goes_along() {
             .fine();
         let run = folder.run(&format!("reconstruct out.{format} --vertices"));
         assert!(run.stderr.contains("25832\n"), "{format}: {}", run.stderr);
+        if format == "fgb" {
+            // Whose code it is, with the length in front.
+            let bytes = std::fs::read(folder.path().join("out.fgb")).unwrap();
+            assert!(bytes.windows(8).any(|word| word == b"\x04\0\0\0EPSG"));
+        }
     }
     let message = folder.run("reconstruct p.geojson -o out.wkt").stderr;
     assert!(!message.contains("left out"), "{message}");

@@ -29,6 +29,7 @@ mod kept;
 mod memory;
 #[cfg(feature = "ply")]
 mod models;
+mod pictures;
 mod point_files;
 mod processes;
 mod puzzle;

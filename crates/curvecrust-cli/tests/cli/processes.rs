@@ -77,6 +77,31 @@ fn a_verdict_needs_no_reader() {
     }
 }
 
+/// Rust's runtime puts the null device in the place of a stdout that is closed: nothing fails, but
+/// it is said.
+#[test]
+fn what_a_closed_stdout_loses_is_said() {
+    let folder = Folder::with("p.xy", SQUARE);
+    let run = |line: &str| -> Run {
+        let program = env!("CARGO_BIN_EXE_curvecrust");
+        let mut command = Command::new("sh");
+        command.args(["-c", &format!("'{program}' {line}")]);
+        command.current_dir(folder.path()).output().unwrap().into()
+    };
+    let says = "stdout is closed: what was printed there is lost\n";
+    let closed = run("reconstruct p.xy >&-");
+    assert_eq!(closed.status, Some(0));
+    assert!(closed.stderr.ends_with(says), "{}", closed.stderr);
+    for line in [
+        "reconstruct p.xy -o out.csv >&-",
+        "reconstruct p.xy > /dev/null",
+    ] {
+        let run = run(line);
+        assert_eq!(run.status, Some(0));
+        assert!(!run.stderr.contains("closed"), "{line}: {}", run.stderr);
+    }
+}
+
 /// Kills a program while it writes, so that it cannot clean up.
 #[test]
 fn what_a_killed_run_left_is_removed_by_the_next() {

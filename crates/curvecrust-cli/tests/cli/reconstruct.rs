@@ -206,15 +206,15 @@ fn every_edge_and_every_open_end_has_its_reason() {
         "rows.xy",
         "0 0\n1 0\n2 0\n3 0\n4 0\n0 9\n1 9\n2 9\n3 9\n16 9\n",
     );
-    let found = json(&folder.run("reconstruct rows.xy --json").fine());
+    let found = json(&folder.run("reconstruct rows.xy --json --why").fine());
     let edges = found["edges"].as_array().unwrap();
     let reasons = found["reasons"].as_array().unwrap();
     assert_eq!(edges.len(), reasons.len());
     for (edge, why) in edges.iter().zip(reasons) {
         let is_certified = *edge != json!([3, 4]) && *edge != json!([7, 8]);
         assert_eq!(why["reason"] == "certified", is_certified, "{edge}");
-        assert_eq!(why["margin"].is_null(), is_certified, "{edge}");
-        assert!(is_certified || why["margin"].as_f64().unwrap() > 0.0);
+        assert_eq!(why["margin_at_most"].is_null(), is_certified, "{edge}");
+        assert!(is_certified || why["margin_at_most"].as_f64().unwrap() > 0.0);
     }
     let ends = found["open_ends"].as_array().unwrap();
     let of: Vec<_> = ends
@@ -226,26 +226,31 @@ fn every_edge_and_every_open_end_has_its_reason() {
         (&ends[4]["partner"], &ends[4]["slots"]),
         (&json!(8), &json!(2))
     );
-    assert!(ends[4]["cost"].as_f64().unwrap() > 0.0);
+    assert!(ends[4]["cost_at_most"].as_f64().unwrap() > 0.0);
 
-    // Algorithms that follow from their definition have no reasons beyond it.
-    let found = json(
-        &folder
-            .run("reconstruct rows.xy --algorithm crust --json")
-            .fine(),
-    );
+    // They take longer than the edges: nobody waits who does not ask.
+    let found = json(&folder.run("reconstruct rows.xy --json").fine());
     assert!(found.get("reasons").is_none() && found.get("open_ends").is_none());
+    let error = folder.run("reconstruct rows.xy --why").error();
+    assert_eq!(
+        error,
+        "error: JSON alone has room for reasons: give --json with --why"
+    );
     let picture = folder.run("draw --points rows.xy --edges --why").fine();
     for group in ["certified", "completed", "rejected"] {
         assert!(picture.contains(&format!("id=\"{group}\"")), "{picture}");
     }
-    let refused = folder.run("draw --points rows.xy --edges crust --why");
-    assert_eq!(refused.status, Some(2));
-    assert!(
-        refused.stderr.contains("crust gives no reasons"),
-        "{}",
-        refused.stderr
-    );
+    // Algorithms that follow from their definition have no reasons beyond it.
+    for line in [
+        "draw --points rows.xy --edges crust --why",
+        "reconstruct rows.xy --algorithm crust --json --why",
+    ] {
+        let refused = folder.run(line).error();
+        assert_eq!(
+            refused,
+            "error: crust gives no reasons for its edges: leave out --why"
+        );
+    }
 }
 
 #[test]

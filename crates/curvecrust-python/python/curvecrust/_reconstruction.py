@@ -55,16 +55,17 @@ class Reasons:
     """The edges, of shape (m, 2), as in the reconstruction."""
     reasons: list[str]
     """For each edge why it is there: "certified", "completed", "exchanged" or "required"."""
-    margins: Floats
-    """For each edge how much more the best curves without it cost; nan where nobody looked."""
+    margins_at_most: Floats
+    """For each edge how much more the best curves without it cost at most; nan where nobody
+    looked. An upper bound: of what the search finds."""
     ends: Ints
     """The rows of points with a free end."""
     penalties: Floats
     """What each of them pays for ending there."""
     rejected: Ints
     """The point that each would best be joined to, -1 where there is none."""
-    costs: Floats
-    """How much more curves with that edge cost; nan where there is none."""
+    costs_at_most: Floats
+    """How much more the best curves with that edge cost at most; nan where there is none."""
 
 
 @dataclass(frozen=True, eq=False)

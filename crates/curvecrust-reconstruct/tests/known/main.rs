@@ -12,7 +12,7 @@ mod places;
 
 use std::num::NonZeroU32;
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, Random};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, Random};
 use curvecrust_reconstruct::{
     ALGORITHMS, Known, LeastDetour, ReconstructError, Reconstructor, Shape,
 };
@@ -340,4 +340,30 @@ fn thin_tips_and_few_corners_are_closed() {
         assert_eq!(why.edges.len(), ring.len());
         assert!(why.free_ends.is_empty());
     }
+}
+
+/// Where what is known joins an end with what was rejected without it, there is nothing to reject.
+#[test]
+fn no_edge_is_rejected_that_is_there() {
+    let (mut random, mut rejected) = (Random::new(11), 0);
+    for _ in 0..60 {
+        let mut place = || DVec2::new(random.unit(), random.unit());
+        let points = PointSet::new((0..20).map(|_| place()).collect()).unwrap();
+        for curves in 1..3 {
+            let known = known(Some(Shape::Open), curves, &[]);
+            let why = LeastDetour.explain_known(&points, &known).unwrap().unwrap();
+            let edges = why.edge_set(points.len());
+            assert_eq!(
+                edges,
+                LeastDetour.reconstruct_known(&points, &known).unwrap()
+            );
+            for end in &why.free_ends {
+                let partner = end.rejected.map(|rejected| rejected.partner);
+                let edge = partner.and_then(|partner| Edge::new(end.point, partner));
+                rejected += usize::from(edge.is_some());
+                assert!(edge.is_none_or(|edge| !edges.contains(edge)));
+            }
+        }
+    }
+    assert!(rejected > 0);
 }

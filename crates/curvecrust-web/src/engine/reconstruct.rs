@@ -101,13 +101,16 @@ fn explain(answer: &mut Answer, why: &Explanation, index: impl Fn(PointId) -> us
     let reasons: Vec<&str> = why.edges.iter().map(|edge| edge.reason.name()).collect();
     answer.value("reasons", reasons);
     // NaN where there is no margin.
-    let margins = why.edges.iter().map(|edge| edge.margin.unwrap_or(f64::NAN));
+    let margins = why
+        .edges
+        .iter()
+        .map(|edge| edge.margin_at_most.unwrap_or(f64::NAN));
     answer.array("margins", margins);
     let ends = why.free_ends.iter();
     answer.indices("ends", ends.clone().map(|end| index(end.point)));
     answer.array("penalties", ends.clone().map(|end| end.penalty));
     let rejected = |end: &curvecrust::reconstruct::FreeEnd| match end.rejected {
-        Some(other) => [index(other.partner) as f64, other.cost],
+        Some(other) => [index(other.partner) as f64, other.cost_at_most],
         None => [f64::NAN; 2],
     };
     answer.array("rejected", ends.flat_map(rejected));

@@ -19,7 +19,7 @@ pub(super) struct Found<'a> {
     pub(super) bare: &'a BarePoints,
     pub(super) known: &'a Known,
     pub(super) curves: Reconstruction,
-    /// By algorithms that give reasons.
+    /// Where it is asked for.
     pub(super) why: Option<Explanation>,
 }
 

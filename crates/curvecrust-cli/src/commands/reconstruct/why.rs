@@ -8,7 +8,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct ReasonObject {
     reason: &'static str,
-    margin: Option<f64>,
+    margin_at_most: Option<f64>,
 }
 
 /// Why an end stays open.
@@ -18,14 +18,14 @@ pub(super) struct OpenEndObject {
     slots: u8,
     price: f64,
     partner: Option<u32>,
-    cost: Option<f64>,
+    cost_at_most: Option<f64>,
 }
 
 /// For every edge, in the order of the edges.
 pub(super) fn reasons(why: &Explanation) -> impl Iterator<Item = ReasonObject> + '_ {
     why.edges.iter().map(|edge| ReasonObject {
         reason: edge.reason.name(),
-        margin: edge.margin,
+        margin_at_most: edge.margin_at_most,
     })
 }
 
@@ -39,6 +39,6 @@ pub(super) fn open_ends<'a>(
         slots: end.count,
         price: end.penalty,
         partner: end.rejected.map(|rejected| bare.row(rejected.partner)),
-        cost: end.rejected.map(|rejected| rejected.cost),
+        cost_at_most: end.rejected.map(|rejected| rejected.cost_at_most),
     })
 }

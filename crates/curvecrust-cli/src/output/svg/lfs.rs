@@ -133,3 +133,18 @@ fn colour(shade: u8) -> String {
     });
     format!("rgb({r},{g},{b})")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shades_go_along_the_ramp() {
+        let rgb = |[r, g, b]: [f64; 3]| format!("rgb({r},{g},{b})");
+        for (i, at) in (0..=LIGHTEST).step_by(STEPS.into()).enumerate() {
+            assert_eq!(colour(at), rgb(RAMP[i]));
+        }
+        // Half way: (68 + 59) / 2 and so on.
+        assert_eq!(colour(STEPS / 2), "rgb(64,42,112)");
+    }
+}
