@@ -34,12 +34,15 @@ use curvecrust_geometry::PointSet;
 use curvecrust_voronoi::Delaunay;
 
 use alpha::Alpha;
-use cost::{Cost, ROUNDING};
+use cost::Cost;
 pub(crate) use near::Near;
 use order::Order;
 use search::Search;
 
-/// What rounding may hide of the shortest edge where a bound ends the search.
+/// A bound is the length of the tour if they differ by less than this share of it.
+const ROUNDING: f64 = 1e-12;
+
+/// What that may hide of the shortest edge.
 const LEAST_PART: f64 = 1e-6;
 
 /// Perturbations for each vertex. Detours leave fewer tours that are nearly as good.

@@ -6,8 +6,9 @@ use curvecrust_geometry::DVec2;
 
 use super::{Goal, Task};
 
-/// A smaller gain, as a share of the lengths that it is the difference of, is rounding.
-pub(super) const ROUNDING: f64 = 1e-12;
+/// A smaller gain, as a share of the lengths that it is the difference of, is rounding: that of
+/// some dozen sums.
+const ROUNDING: f64 = 1e-14;
 
 /// A difference of costs, and the size of the terms that it was computed from.
 #[derive(Clone, Copy, Default)]
