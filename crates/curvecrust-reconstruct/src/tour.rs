@@ -8,31 +8,46 @@
 //! curves are one with several gaps.
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
-//! 2. **Improve.** Lin-Kernighan (1973): edges are exchanged one after another, each exchange
-//!    leaving a tour, as long as the sum of their gains stays positive ([`search`]).
-//! 3. **Perturb.** Two neighbouring paths of the tour at a random place are exchanged and the tour
-//!    is improved around them, which is undone unless that lowered the cost (Martin, Otto, Felten
-//!    1991).
+//! 2. **Improve.** Lin-Kernighan: up to four edges are exchanged for others, as long as that lowers
+//!    the cost ([`search`]), first among near points. For a closed tour of least length, a Held-Karp
+//!    bound then tells which edges the shortest tour may have ([`alpha`]); if it is the length of
+//!    the tour found, step 3 is left out.
+//! 3. **Perturb.** Four edges at random are exchanged and the tour is improved around them, many
+//!    times ([`perturb`]).
 //! 4. **Uncross.** Edges that still meet elsewhere than at a common end are exchanged
 //!    ([`uncross`](mod@uncross)): a simple polygon remains.
 //!
 //! The result depends on the points alone, if they come in an order that does so: step 3 has a
 //! fixed seed.
 
+mod alpha;
 mod cost;
+mod exchange;
 mod greedy;
 mod near;
 mod order;
+mod perturb;
 mod search;
 mod uncross;
 
 use curvecrust_geometry::PointSet;
 use curvecrust_voronoi::Delaunay;
 
+use alpha::Alpha;
 use cost::Cost;
 pub(crate) use near::Near;
 use order::Order;
 use search::Search;
+
+/// A bound is the length of the tour if they differ by less than this share of it.
+const ROUNDING: f64 = 1e-12;
+
+/// What that may hide of the shortest edge.
+const LEAST_PART: f64 = 1e-6;
+
+/// Perturbations for each vertex. Detours leave fewer tours that are nearly as good.
+const PERTURBATIONS: usize = 30;
+const PERTURBATIONS_WITH_DETOURS: usize = 5;
 
 /// What a tour is to have little of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,8 +89,24 @@ pub(crate) fn short_tour(points: &PointSet, task: &Task) -> Vec<Vec<u32>> {
     let cost = Cost::new(points.points(), task);
     let near = Near::new(points, &delaunay);
     let start = greedy::tour(points, &near, &cost);
-    let mut search = Search::new(&cost, &near, Order::new(start));
-    search.run();
+    let mut search = Search::new(&cost, near, Order::new(start));
+    search.improve_all();
+    let mut is_shortest = false;
+    if task.goal == Goal::Length && task.gaps == 0 {
+        let alpha = Alpha::new(points, &search.near, search.length());
+        search.near = alpha.near;
+        search.improve_all();
+        let length = search.length();
+        // Rounding hides no more than a small part of any edge.
+        let is_fine = ROUNDING * length <= LEAST_PART * search.shortest_edge();
+        is_shortest = is_fine && length <= alpha.bound * (1.0 + ROUNDING);
+    }
+    if !is_shortest {
+        search.perturb_often(match task.goal {
+            Goal::Length => PERTURBATIONS,
+            Goal::LengthAndDetours => PERTURBATIONS_WITH_DETOURS,
+        });
+    }
     let tour = uncross::uncrossed(&cost, search.into_order());
     divided(&cost, tour)
 }

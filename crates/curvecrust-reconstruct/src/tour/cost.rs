@@ -6,6 +6,47 @@ use curvecrust_geometry::DVec2;
 
 use super::{Goal, Task};
 
+/// A smaller gain, as a share of the lengths that it is the difference of, is rounding: that of
+/// some dozen sums.
+const ROUNDING: f64 = 1e-14;
+
+/// A difference of costs, and the size of the terms that it was computed from.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Change {
+    pub(super) cost: f64,
+    size: f64,
+}
+
+impl Change {
+    /// With the cost of an edge that is put in.
+    pub(super) fn add(&mut self, edge: f64) {
+        self.cost += edge;
+        self.size += edge.abs();
+    }
+
+    /// With the cost of an edge that is taken away.
+    pub(super) fn remove(&mut self, edge: f64) {
+        self.cost -= edge;
+        self.size += edge.abs();
+    }
+
+    /// Whether the cost falls by more than rounding could feign.
+    pub(super) fn is_gain(self) -> bool {
+        self.cost < -ROUNDING * self.size
+    }
+}
+
+impl std::ops::Add for Change {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            cost: self.cost + other.cost,
+            size: self.size + other.size,
+        }
+    }
+}
+
 /// The cost of a tour through points and gaps: the lengths of its edges; and for
 /// [`Goal::LengthAndDetours`] at each point v between p and q the detour |vp| + |vq| - |pq|, as for
 /// [least detour](mod@crate::least_detour).
@@ -46,6 +87,11 @@ impl<'a> Cost<'a> {
             // An exchange changes a dozen edges at most.
             forbidden: 64.0 * (high - low).length(),
         }
+    }
+
+    /// Whether vertices cost something, and not edges alone.
+    pub(super) fn has_vertices(&self) -> bool {
+        self.goal == Goal::LengthAndDetours
     }
 
     pub(super) fn points(&self) -> &'a [DVec2] {

@@ -1,11 +1,12 @@
 //! The pairs of points that a search tries to join.
 
-use curvecrust_geometry::PointSet;
 use curvecrust_geometry::parallel::*;
 use curvecrust_geometry::point_set::by_coordinates;
+use curvecrust_geometry::{DVec2, PointSet};
 use curvecrust_voronoi::Delaunay;
 
 use crate::adjacency::Adjacency;
+use crate::held_karp::Link;
 
 /// So many Delaunay neighbours are tried, the nearest.
 const ADJACENT: usize = 12;
@@ -61,6 +62,24 @@ impl Near {
         let ids: Vec<u32> = points.ids().map(u32::from).collect();
         let lists: Vec<Vec<u32>> = ids.into_par_iter().map(of).collect();
         Adjacency::of_lists(&lists)
+    }
+
+    /// The pairs, each once.
+    pub(crate) fn links(&self, points: &[DVec2]) -> Vec<Link> {
+        let from = |v: u32| {
+            let is_mutual = move |w: u32| self.of(w).contains(&v);
+            let to = self.of(v).iter().copied();
+            let first = to.filter(move |&w| v < w || !is_mutual(w));
+            first.map(move |w| Link::new(points, [v, w]))
+        };
+        (0u32..).take(points.len()).flat_map(from).collect()
+    }
+
+    /// Of a list for each point.
+    pub(super) fn of_own(lists: &[Vec<u32>]) -> Self {
+        Self {
+            targets: Adjacency::of_lists(lists),
+        }
     }
 
     /// Nothing for gaps.

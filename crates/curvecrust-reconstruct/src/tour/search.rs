@@ -1,114 +1,108 @@
-//! Lin-Kernighan: exchanges of edges one after another, each of which leaves a tour.
+//! Lin-Kernighan: sequential exchanges of edges, as long as there are some that pay.
+//!
+//! S. Lin, B. W. Kernighan, "An Effective Heuristic Algorithm for the Traveling-Salesman Problem",
+//! Operations Research 21(2), 1973, in the form of K. Helsgaun, "An effective implementation of the
+//! Lin-Kernighan traveling salesman heuristic", European Journal of Operational Research 126, 2000:
+//! up to four edges are replaced at once, and what is between the first and the last of them need
+//! be no tour. Around vertices where nothing was found, nothing is sought until a neighbour changes
+//! (don't-look bits: J. L. Bentley, "Fast Algorithms for Geometric Traveling Salesman Problems",
+//! ORSA Journal on Computing 4(4), 1992).
 
 use std::collections::VecDeque;
 
-use curvecrust_geometry::{Interrupt, Random};
+use curvecrust_geometry::Interrupt;
 
-use super::cost::Cost;
+use super::cost::{Change, Cost};
+use super::exchange::{Exchange, MOST};
 use super::near::Near;
 use super::order::Order;
 
-/// How many ways to go on are tried after each number of exchanges.
-const BREADTH: [usize; 5] = [5, 3, 1, 1, 1];
+/// How many ways to take away a second edge are tried, a third one, and a fourth one.
+const BREADTH: [usize; MOST - 1] = [5, 5, 3];
 
-/// A smaller gain, as a share of the lengths that it is the difference of, is rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// The longest path of a perturbation.
-const LONGEST_PATH: usize = 10;
-
-/// Up to this number of gaps, each point is tried at the end beside one.
+/// Of so many gaps each point is tried at the end beside one.
 const MOST_GAPS: usize = 8;
 
-/// An exchange that costs more, to be made good by others, moves at most this many vertices. In
-/// tours of twice as many, none moves more.
-const MOST_MOVED: usize = 1_000;
-
-/// Perturbations for each vertex, and their number for any tour.
-const PERTURBATIONS: usize = 10;
-const MOST_PERTURBATIONS: usize = 30_000;
-
-/// A difference of costs, and the size of the terms that it was computed from.
+/// A way to go on: t3, t4, and what it gains before the next edge is put in.
 #[derive(Clone, Copy, Default)]
-struct Change {
-    cost: f64,
-    size: f64,
+struct Way {
+    gain: f64,
+    t3: u32,
+    t4: u32,
 }
 
-impl Change {
-    /// Whether the cost falls by more than rounding could feign.
-    fn is_gain(self) -> bool {
-        self.cost < -ROUNDING * self.size
-    }
+/// The ways that gain most, the best first.
+struct Ways {
+    ways: [Way; BREADTH[0]],
+    count: usize,
+    most: usize,
 }
 
-impl std::ops::Add for Change {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            cost: self.cost + other.cost,
-            size: self.size + other.size,
+impl Ways {
+    fn push(&mut self, way: Way) {
+        let better = self.as_slice().iter().take_while(|w| w.gain >= way.gain);
+        let rank = better.count();
+        if rank < self.most {
+            self.count = (self.count + 1).min(self.most);
+            self.ways[rank..self.count].rotate_right(1);
+            self.ways[rank] = way;
         }
+    }
+
+    fn as_slice(&self) -> &[Way] {
+        &self.ways[..self.count]
     }
 }
 
 /// A tour whose cost is lowered.
 pub(super) struct Search<'a> {
-    cost: &'a Cost<'a>,
-    near: &'a Near,
-    tour: Order,
-    /// The exchanges since the last state that is kept.
-    done: Vec<[u32; 4]>,
+    pub(super) cost: &'a Cost<'a>,
+    pub(super) near: Near,
+    pub(super) tour: Order,
     /// Vertices around which there may be something to gain.
     queue: VecDeque<u32>,
     is_queued: Vec<bool>,
+    /// Whether each exchange is kept at once.
+    pub(super) keeps: bool,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(cost: &'a Cost<'a>, near: &'a Near, tour: Order) -> Self {
+    pub(super) fn new(cost: &'a Cost<'a>, near: Near, tour: Order) -> Self {
         let is_queued = vec![false; tour.len()];
         Self {
             cost,
             near,
             tour,
-            done: Vec::new(),
             queue: VecDeque::new(),
             is_queued,
+            keeps: true,
         }
+    }
+
+    /// The cost of the edges.
+    pub(super) fn length(&self) -> f64 {
+        self.tour.edges().map(|[v, w]| self.cost.edge(v, w)).sum()
+    }
+
+    /// The least cost of an edge.
+    pub(super) fn shortest_edge(&self) -> f64 {
+        let costs = self.tour.edges().map(|[v, w]| self.cost.edge(v, w));
+        costs.fold(f64::INFINITY, f64::min)
     }
 
     pub(super) fn into_order(self) -> Vec<u32> {
         self.tour.into_inner()
     }
 
-    /// Improves the tour, and again after each of many perturbations.
-    pub(super) fn run(&mut self) {
-        let count = self.tour.len();
-        for v in (0u32..).take(count) {
+    /// Improves the tour everywhere.
+    pub(super) fn improve_all(&mut self) {
+        for v in (0u32..).take(self.tour.len()) {
             self.enqueue(v);
         }
         self.improve();
-        self.done.clear();
-        // A perturbation takes five vertices; of the three tours through four, exchanges find the
-        // shortest.
-        if count < 5 {
-            return;
-        }
-        let mut random = Random::new(1);
-        for _ in 0..(PERTURBATIONS * count).min(MOST_PERTURBATIONS) {
-            let change = self.perturb(&mut random) + self.improve();
-            if change.is_gain() {
-                self.done.clear();
-            } else {
-                while let Some([t1, t2, t3, t4]) = self.done.pop() {
-                    self.tour.exchange([t1, t4, t3, t2]);
-                }
-            }
-        }
     }
 
-    fn enqueue(&mut self, v: u32) {
+    pub(super) fn enqueue(&mut self, v: u32) {
         if !self.is_queued[v as usize] {
             self.is_queued[v as usize] = true;
             self.queue.push_back(v);
@@ -118,7 +112,7 @@ impl<'a> Search<'a> {
     /// Improves the tour around the vertices in the queue, and where that changed something.
     ///
     /// Ends: the cost falls each time, by more than rounding could feign.
-    fn improve(&mut self) -> Change {
+    pub(super) fn improve(&mut self) -> Change {
         let interrupt = Interrupt::current();
         let mut sum = Change::default();
         while let Some(v) = self.queue.pop_front() {
@@ -133,63 +127,86 @@ impl<'a> Search<'a> {
 
     fn improved_at(&mut self, t1: u32) -> Option<Change> {
         let partners = [self.tour.next(t1), self.tour.previous(t1)];
-        partners
-            .into_iter()
-            .find_map(|t2| self.deepened(0, [t1, t2], Change::default()))
+        let found = partners.into_iter().find_map(|t2| {
+            let exchange = Exchange::new(&self.tour, t1, t2);
+            let gain = self.cost.edge(t1, t2) + self.vertex(t1) + self.vertex(t2);
+            self.deepened(&exchange, gain)
+        });
+        let (exchange, change) = found?;
+        self.apply(&exchange);
+        Some(change)
     }
 
-    /// Replaces the edge t1 t2 and others so that the tour costs less than before a change, if it
-    /// can.
-    fn deepened(&mut self, depth: usize, [t1, t2]: [u32; 2], before: Change) -> Option<Change> {
-        let gain = self.gain_without([t1, t2], before);
-        let mut left = BREADTH[depth];
-        let (near, cost) = (self.near, self.cost);
-        let candidates = near
-            .of(t2)
-            .iter()
-            .copied()
-            .take_while(|&t3| cost.edge(t2, t3) < gain);
-        for t3 in candidates.chain(self.gaps_for(t2)) {
-            if self.tour.are_joined(t2, t3) || cost.edge(t2, t3) >= gain {
+    /// An exchange that begins with another and gains, if there is one.
+    ///
+    /// `gain` is what is gained before the last end is joined to another vertex.
+    fn deepened(&self, exchange: &Exchange, gain: f64) -> Option<(Exchange, Change)> {
+        let ways = self.ways(exchange, gain);
+        let and = |way: &Way| exchange.and(&self.tour, way.t3, way.t4);
+        let closed = ways.as_slice().iter().find_map(|way| {
+            let pays = self.cost.edge(way.t4, exchange.first()) < way.gain;
+            pays.then(|| self.gaining(and(way))).flatten()
+        });
+        if closed.is_some() || exchange.len() == BREADTH.len() {
+            return closed;
+        }
+        let mut each = ways.as_slice().iter();
+        each.find_map(|way| self.deepened(&and(way), way.gain))
+    }
+
+    /// The exchange, if it leaves a tour that costs less.
+    fn gaining(&self, exchange: Exchange) -> Option<(Exchange, Change)> {
+        exchange.segments()?;
+        let change = exchange.change(&self.tour, self.cost);
+        change.is_gain().then_some((exchange, change))
+    }
+
+    /// The ways to go on that gain most so far.
+    fn ways(&self, exchange: &Exchange, gain: f64) -> Ways {
+        let mut ways = Ways {
+            ways: Default::default(),
+            count: 0,
+            most: BREADTH[exchange.len() - 1],
+        };
+        let t2 = exchange.last();
+        for t3 in self.near.of(t2).iter().copied().chain(self.gaps_for(t2)) {
+            let left = gain - self.cost.edge(t2, t3);
+            if left <= 0.0 || self.tour.are_joined(t2, t3) || exchange.adds(t2, t3) {
                 continue;
             }
-            let is_on = self.tour.next(t1) == t2;
-            let t4 = if is_on {
-                self.tour.previous(t3)
-            } else {
-                self.tour.next(t3)
-            };
-            let exchange = [t1, t2, t3, t4];
-            let change = before + self.change_by(exchange);
-            let is_gain = change.is_gain();
-            let goes_on = depth + 1 < BREADTH.len()
-                && self.may_go_on(exchange, change)
-                && self.tour.moved_by(exchange) <= MOST_MOVED;
-            if !is_gain && !goes_on {
-                continue;
-            }
-            self.apply(exchange);
-            let found = if is_gain {
-                Some(change)
-            } else {
-                self.deepened(depth + 1, [t1, t4], change)
-            };
-            if found.is_some() {
-                exchange.into_iter().for_each(|v| self.enqueue(v));
-                return found;
-            }
-            self.undo();
-            left -= 1;
-            if left == 0 {
-                break;
+            for t4 in [self.tour.next(t3), self.tour.previous(t3)] {
+                if !exchange.removes(t3, t4) {
+                    let removed = self.cost.edge(t3, t4) + self.gain_at_vertices(exchange, t3, t4);
+                    let gain = left + removed;
+                    ways.push(Way { gain, t3, t4 });
+                }
             }
         }
-        None
+        ways
     }
 
-    /// What is gained if the edge t1 t2 is taken away, before a new edge at t2 is paid for.
-    fn gain_without(&self, [t1, t2]: [u32; 2], before: Change) -> f64 {
-        self.cost.edge(t1, t2) + self.vertex(t1) + self.vertex(t2) - before.cost
+    /// What is gained at vertices, those of the edge t3 t4 and t2, which then has its new edges:
+    /// an estimate where an end was one before.
+    fn gain_at_vertices(&self, exchange: &Exchange, t3: u32, t4: u32) -> f64 {
+        if !self.cost.has_vertices() {
+            return 0.0;
+        }
+        let ends = exchange.ends();
+        let t2 = exchange.last();
+        let t1 = ends[ends.len() - 2];
+        let mut gain = 0.0;
+        for v in [t3, t4] {
+            if !ends.contains(&v) {
+                gain += self.vertex(v);
+            }
+        }
+        if !ends[..ends.len() - 1].contains(&t2) {
+            gain -= self.cost.vertex(t2, self.tour.beyond(t2, t1), t3);
+        }
+        if !ends.contains(&t3) {
+            gain -= self.cost.vertex(t3, self.tour.beyond(t3, t4), t2);
+        }
+        gain
     }
 
     /// The gaps that a point may be joined to.
@@ -200,74 +217,20 @@ impl<'a> Search<'a> {
             .take(if may_be_end { MOST_GAPS } else { 0 })
     }
 
-    /// Whether after an exchange, which leaves t4 as the neighbour of t1, there may be another that
-    /// pays.
-    fn may_go_on(&self, [t1, t2, t3, t4]: [u32; 4], change: Change) -> bool {
-        let others = [self.tour.beyond(t1, t2), self.tour.beyond(t4, t3)];
-        let vertices = [(t1, others[0], t4), (t4, others[1], t1)];
-        let vertices = vertices.map(|(v, p, q)| self.cost.vertex(v, p, q));
-        let gain = self.cost.edge(t1, t4) + vertices[0] + vertices[1] - change.cost;
-        let is_new = |t5: u32| t5 != t1 && t5 != others[1];
-        let nearest = self.near.of(t4).iter().find(|&&t5| is_new(t5));
-        nearest.is_some_and(|&t5| self.cost.edge(t4, t5) < gain)
-            || self.cost.gaps().next().is_some()
-    }
-
-    fn apply(&mut self, exchange: [u32; 4]) {
-        self.tour.exchange(exchange);
-        self.done.push(exchange);
-    }
-
-    fn undo(&mut self) {
-        if let Some([t1, t2, t3, t4]) = self.done.pop() {
-            self.tour.exchange([t1, t4, t3, t2]);
-        }
-    }
-
-    fn vertex(&self, v: u32) -> f64 {
+    pub(super) fn vertex(&self, v: u32) -> f64 {
         self.cost
             .vertex(v, self.tour.previous(v), self.tour.next(v))
     }
 
-    /// What an exchange changes.
-    fn change_by(&self, [t1, t2, t3, t4]: [u32; 4]) -> Change {
-        let old = [self.cost.edge(t1, t2), self.cost.edge(t3, t4)];
-        let new = [self.cost.edge(t2, t3), self.cost.edge(t4, t1)];
-        let vertices = [(t1, t2, t4), (t2, t1, t3), (t3, t4, t2), (t4, t3, t1)];
-        let bends = vertices.map(|(v, from, to)| {
-            let other = self.tour.beyond(v, from);
-            self.cost.vertex(v, other, to) - self.cost.vertex(v, other, from)
-        });
-        Change {
-            cost: (new[0] - old[0]) + (new[1] - old[1]) + bends.into_iter().sum::<f64>(),
-            size: old.into_iter().chain(new).map(f64::abs).sum(),
+    fn apply(&mut self, exchange: &Exchange) {
+        if let Some((mut segments, count)) = exchange.segments() {
+            self.tour.join(&mut segments[..count]);
         }
-    }
-
-    /// Exchanges two neighbouring paths at a random place.
-    fn perturb(&mut self, random: &mut Random) -> Change {
-        let count = self.tour.len();
-        let most = LONGEST_PATH.min((count - 2) / 2);
-        let lengths = [random.below(most) + 1, random.below(most) + 1];
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "below the number of vertices"
-        )]
-        let a = random.below(count) as u32;
-        let b = self.tour.next(a);
-        let [c, d] = [lengths[0], lengths[0] + 1].map(|steps| self.tour.after(a, steps));
-        let e = self.tour.after(a, lengths[0] + lengths[1]);
-        let f = self.tour.next(e);
-        // From a, b..c, d..e, f to a, d..e, b..c, f.
-        let exchanges = [[a, b, f, e], [a, e, c, d], [e, c, f, b]];
-        let mut sum = Change::default();
-        for exchange in exchanges {
-            sum = sum + self.change_by(exchange);
-            self.apply(exchange);
+        if self.keeps {
+            self.tour.keep();
         }
-        for v in [a, b, c, d, e, f] {
+        for &v in exchange.ends() {
             self.enqueue(v);
         }
-        sum
     }
 }

@@ -1,0 +1,134 @@
+//! Perturbations: the tour is changed at random and improved again, many times.
+//!
+//! O. Martin, S. W. Otto, E. W. Felten, "Large-Step Markov Chains for the Traveling Salesman
+//! Problem", Complex Systems 5, 1991; D. Applegate, W. Cook, A. Rohe, "Chained Lin-Kernighan for
+//! Large Traveling Salesman Problems", INFORMS Journal on Computing 15(1), 2003. The change is a
+//! double bridge, which no sequential exchange undoes, of edges at the ends of random walks from a
+//! random vertex.
+
+use curvecrust_geometry::Random;
+
+use super::cost::Change;
+use super::order::{Order, Segment};
+use super::search::Search;
+
+/// Perturbations of any tour.
+const MOST_PERTURBATIONS: usize = 40_000;
+
+/// A walk has at most so many steps.
+const LONGEST_WALK: usize = 100;
+
+/// A perturbation that would move more vertices takes paths of at most so many instead.
+const MOST_MOVED: usize = 2_000;
+const LONGEST_PATH: usize = 50;
+
+/// A tour that is longer by up to this share of the mean edge may replace the present one. The
+/// share falls to 0.
+const ACCEPTED: f64 = 0.3;
+
+impl Search<'_> {
+    /// Perturbs the tour and improves it, so many times for each vertex; the best one remains.
+    pub(super) fn perturb_often(&mut self, times: usize) {
+        let count = self.tour.len();
+        // A double bridge takes five vertices at least. Of the three tours through four, exchanges
+        // find the shortest.
+        if count < 5 {
+            return;
+        }
+        self.keeps = false;
+        self.tour.keep();
+        let mut random = Random::new(1);
+        let rounds = (times * count).min(MOST_PERTURBATIONS);
+        let accepted = ACCEPTED * self.mean_edge();
+        let mut above = Change::default();
+        let mut best = None;
+        for round in 0..rounds {
+            let limit = accepted * (1.0 - round as f64 / rounds as f64);
+            let change = self.perturb(&mut random) + self.improve();
+            let risk = limit * random.unit();
+            if (above + change).is_gain() {
+                (above, best) = (Change::default(), None);
+            } else if change.is_gain() || change.cost < risk {
+                best = best.or_else(|| Some(self.tour.kept()));
+                above = above + change;
+            } else {
+                self.tour.undo();
+            }
+            self.tour.keep();
+        }
+        if let Some(best) = best {
+            self.tour = Order::new(best);
+        }
+    }
+
+    /// The mean length of the edges.
+    fn mean_edge(&self) -> f64 {
+        let points = self.cost.points();
+        let places = |edge: [u32; 2]| edge.map(|v| points.get(v as usize));
+        let lengths = self.tour.edges().filter_map(|edge| match places(edge) {
+            [Some(p), Some(q)] => Some(p.distance(*q)),
+            _ => None,
+        });
+        lengths.sum::<f64>() / self.tour.len() as f64
+    }
+
+    /// A double bridge: from a, b..c, d..e, f..g, h to a, f..g, d..e, b..c, h.
+    fn perturb(&mut self, random: &mut Random) -> Change {
+        let [a, c, e, g] = self.four(random);
+        let [b, d, f, h] = [a, c, e, g].map(|v| self.tour.next(v));
+        let vertices = [a, b, c, d, e, f, g, h];
+        let mut change = Change::default();
+        for [v, w] in [[a, b], [c, d], [e, f], [g, h]] {
+            change.remove(self.cost.edge(v, w));
+        }
+        for [v, w] in [[a, f], [g, d], [e, b], [c, h]] {
+            change.add(self.cost.edge(v, w));
+        }
+        change.cost -= self.vertices_cost(&vertices);
+        let paths = [[h, a], [f, g], [d, e], [b, c]];
+        self.tour.join(&mut paths.map(|path| {
+            let [from, to] = path.map(|v| self.tour.place(v));
+            let is_on = true;
+            Segment { from, to, is_on }
+        }));
+        change.cost += self.vertices_cost(&vertices);
+        for v in vertices {
+            self.enqueue(v);
+        }
+        change
+    }
+
+    fn vertices_cost(&self, vertices: &[u32]) -> f64 {
+        let first = |&i: &usize| !vertices[..i].contains(&vertices[i]);
+        let each = (0..vertices.len()).filter(first);
+        each.map(|i| self.vertex(vertices[i])).sum()
+    }
+
+    /// Four vertices in the order of the tour, of which the first comes farthest after the last.
+    fn four(&self, random: &mut Random) -> [u32; 4] {
+        let count = self.tour.len();
+        let start = self.tour.vertices()[random.below(count)];
+        let mut four = [start; 4];
+        for v in &mut four[1..] {
+            for _ in 0..=random.below(LONGEST_WALK) {
+                let near = self.near.of(*v);
+                *v = near.get(random.below(near.len())).copied().unwrap_or(*v);
+            }
+        }
+        four.sort_unstable_by_key(|&v| self.tour.place(v));
+        let places = four.map(|v| self.tour.place(v) as usize);
+        let after = |i: usize| (places[(i + 1) % 4] + count - places[i]) % count;
+        let widest = (0..4).max_by_key(|&i| after(i)).unwrap_or(3);
+        let is_distinct = (0..4).all(|i| after(i) > 0);
+        if is_distinct && count - after(widest) <= MOST_MOVED {
+            four.rotate_left((widest + 1) % 4);
+            return four;
+        }
+        let most = LONGEST_PATH.min((count - 2) / 3);
+        let mut steps = 0;
+        [0, 1, 1, 1].map(|is_further| {
+            steps += is_further * (1 + random.below(most));
+            self.tour.after(start, steps)
+        })
+    }
+}
