@@ -1,6 +1,8 @@
 //! `cargo xtask counterexamples`: samples on which algorithms fail, and how sparse they are.
 
-use curvecrust_lab::counterexamples::{Counterexample, Search, all, two_curves};
+use curvecrust_lab::counterexamples::{
+    Counterexample, Search, all, two_curves, two_sparser_curves,
+};
 use curvecrust_lab::{root, write_atomically};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -66,7 +68,9 @@ fn check() -> anyhow::Result<ExitCode> {
         println!("{name:<24} < {bound:<6} {says}, {seconds:.1} s");
         wrong |= !fails || proven.is_err();
     }
-    for (name, one) in ["petals", "flower"].into_iter().zip(two_curves()?) {
+    let names = ["petals", "flower", "sparser petals", "sparser flower"];
+    let curves = two_curves()?.into_iter().chain(two_sparser_curves()?);
+    for (name, one) in names.into_iter().zip(curves) {
         let proven = one.prove();
         let says = match &proven {
             Ok(boxes) => format!("proven with {boxes} boxes"),

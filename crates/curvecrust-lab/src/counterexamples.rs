@@ -11,7 +11,6 @@ mod search;
 mod shape;
 
 use crate::compare::algorithms::named;
-use crate::figure::bounds;
 use crate::root;
 use anyhow::Context;
 use curvecrust::reconstruct::Reconstructor;
@@ -59,9 +58,24 @@ pub fn all() -> anyhow::Result<Vec<Counterexample>> {
 /// # Errors
 /// If a file cannot be read or is none.
 pub fn two_curves() -> anyhow::Result<[ProvenSamples; 2]> {
+    about_octagon(["petals", "flower"])
+}
+
+/// Two such curves with sparser samples.
+///
+/// # Errors
+/// If a file cannot be read or is none.
+pub fn two_sparser_curves() -> anyhow::Result<[ProvenSamples; 2]> {
+    about_octagon(["sparser-petals", "sparser-flower"])
+}
+
+fn about_octagon([petals, flower]: [&str; 2]) -> anyhow::Result<[ProvenSamples; 2]> {
     let folder = root().join("fixtures/two-curves");
-    let file = |name: &str| read(&folder.join(name), ProvenSamples::from_text);
-    Ok([file("petals.splines")?, file("flower.splines")?])
+    let file = |name: &str| {
+        let path = folder.join(name).with_extension("splines");
+        read(&path, ProvenSamples::from_text)
+    };
+    Ok([file(petals)?, file(flower)?])
 }
 
 fn read<T>(path: &Path, parse: impl Fn(&str) -> anyhow::Result<T>) -> anyhow::Result<T> {
@@ -98,27 +112,5 @@ impl Counterexample {
     /// If there is none of its name.
     pub fn reconstructor(&self) -> anyhow::Result<&'static dyn Reconstructor> {
         named(&self.algorithm)
-    }
-
-    /// The files that the program reads: the curve as SVG and the samples as CSV, by their names.
-    ///
-    /// # Errors
-    /// Those of [`points`](ProvenSamples::points).
-    pub fn files(&self) -> anyhow::Result<[(String, String); 2]> {
-        let points = self.samples.points()?;
-        let (low, high) = bounds(points.points());
-        let margin = 0.1 * (high - low).max_element();
-        let (from, size) = (low - margin, high - low + 2.0 * margin);
-        let view = format!("{:.2} {:.2} {:.2} {:.2}", from.x, from.y, size.x, size.y);
-        let width = margin / 30.0;
-        let svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{view}\"><path fill=\"none\" \
-             stroke=\"black\" stroke-width=\"{width:.4}\" d=\"{}\"/></svg>\n",
-            self.samples.path_data()
-        );
-        let rows = points.points().iter().map(|p| format!("{},{}\n", p.x, p.y));
-        let csv = "x,y\n".to_owned() + &rows.collect::<String>();
-        let name = self.name();
-        Ok([(format!("{name}.svg"), svg), (format!("{name}.csv"), csv)])
     }
 }

@@ -1,6 +1,7 @@
 //! Samples of closed splines, and a bound that they are proven to satisfy.
 
 use super::dense::Dense;
+use crate::figure::bounds;
 use anyhow::Context;
 use curvecrust::DVec2;
 use curvecrust::geometry::{Component, EdgeSet, PointSet};
@@ -91,6 +92,27 @@ impl ProvenSamples {
             data += "Z ";
         }
         data.trim_end().to_owned()
+    }
+
+    /// The files that the program reads: the curve as SVG and the samples as CSV, by their names.
+    ///
+    /// # Errors
+    /// Those of [`points`](Self::points).
+    pub fn files(&self, name: &str) -> anyhow::Result<[(String, String); 2]> {
+        let points = self.points()?;
+        let (low, high) = bounds(points.points());
+        let margin = 0.1 * (high - low).max_element();
+        let (from, size) = (low - margin, high - low + 2.0 * margin);
+        let view = format!("{:.2} {:.2} {:.2} {:.2}", from.x, from.y, size.x, size.y);
+        let width = margin / 30.0;
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{view}\"><path fill=\"none\" \
+             stroke=\"black\" stroke-width=\"{width:.4}\" d=\"{}\"/></svg>\n",
+            self.path_data()
+        );
+        let rows = points.points().iter().map(|p| format!("{},{}\n", p.x, p.y));
+        let csv = "x,y\n".to_owned() + &rows.collect::<String>();
+        Ok([(format!("{name}.svg"), svg), (format!("{name}.csv"), csv)])
     }
 
     /// The control points of its splines.
