@@ -91,7 +91,7 @@ impl Proof<'_> {
             return Some(true);
         }
         tree.is_tour()
-            .then(|| self.length <= tree.length * (1.0 + ROUNDING))
+            .then_some(self.length <= tree.length * (1.0 + ROUNDING))
     }
 
     /// Changes prices in so many rounds, from a first step on; a verdict ends that.
@@ -127,8 +127,8 @@ impl Proof<'_> {
         Root::Done(false)
     }
 
-    /// The edges that would make the 1-tree cheaper, and those that may be in a shorter tour; `None`
-    /// if these are too many.
+    /// The edges that would make the 1-tree cheaper, and those that may be in a shorter tour;
+    /// `None` if these are too many.
     fn all_pairs(&self, prices: &[f64], tree: &OneTree) -> Option<(Vec<Link>, Vec<Link>)> {
         let interrupt = Interrupt::current();
         let places = self.points.points();

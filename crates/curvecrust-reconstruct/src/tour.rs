@@ -9,9 +9,9 @@
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
 //! 2. **Improve.** Lin-Kernighan: up to four edges are exchanged for others, as long as that lowers
-//!    the cost ([`search`]), first among near points. For a closed tour of least length, a Held-Karp
-//!    bound then tells which edges the shortest tour may have ([`alpha`]); if it is the length of
-//!    the tour found, step 3 is left out.
+//!    the cost ([`search`]), first among near points. For a closed tour of least length, a
+//!    Held-Karp bound then tells which edges the shortest tour may have ([`alpha`]); if it is the
+//!    length of the tour found, step 3 is left out.
 //! 3. **Perturb.** Four edges at random are exchanged and the tour is improved around them, many
 //!    times ([`perturb`]).
 //! 4. **Uncross.** Edges that still meet elsewhere than at a common end are exchanged

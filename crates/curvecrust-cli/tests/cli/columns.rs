@@ -113,6 +113,18 @@ fn columns_in_columns_do_not_fill_the_stack() {
     );
 }
 
+/// A field that nobody knows: two billion truth values, which take no byte.
+#[test]
+fn lists_have_no_more_things_than_bytes() {
+    let list = b"\x15\x02\x19\x0c\xf9\x0f\xf1\xff\xff\xff\xff\x07\x00";
+    let length = u32::try_from(list.len()).unwrap().to_le_bytes();
+    let bytes = [b"PAR1", &list[..], &length, b"PAR1"].concat();
+    assert_eq!(
+        error("p.parquet", bytes, ""),
+        "error: p.parquet: the table cannot be read: its metadata are damaged"
+    );
+}
+
 #[test]
 fn columns_of_numbers() {
     let zstd = Compression::ZSTD(Default::default());

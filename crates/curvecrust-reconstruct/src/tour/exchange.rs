@@ -94,7 +94,7 @@ impl Exchange {
             self.count - 1
         } else if index + 1 == self.count {
             0
-        } else if index % 2 == 0 {
+        } else if index.is_multiple_of(2) {
             index - 1
         } else {
             index + 1
@@ -109,10 +109,10 @@ impl Exchange {
         let shift = self.keys[usize::from(self.sorted[0])] as usize & 1;
         let mut rank_of = [0; 2 * MOST];
         let mut at = [0; 2 * MOST];
-        for rank in 0..count {
+        for (rank, at) in at.iter_mut().enumerate().take(count) {
             let place = rank + shift;
             let index = usize::from(self.sorted[if place < count { place } else { 0 }]);
-            at[rank] = index;
+            *at = index;
             rank_of[index] = rank;
         }
         let mut segments = [Segment::default(); MOST];
@@ -122,7 +122,7 @@ impl Exchange {
             segments[done] = Segment {
                 from: self.keys[from] / 2,
                 to: self.keys[to] / 2,
-                is_on: rank % 2 == 0,
+                is_on: rank.is_multiple_of(2),
             };
             done += 1;
             rank = rank_of[self.joined(to)];

@@ -1,6 +1,10 @@
 //! The columns of a Parquet file, which lie in each other. The crate calls itself for each level,
 //! so that too many would fill the stack; here they are counted first.
 //!
+//! Of fields that the crate does not know it passes as many things as a list promises, and truth
+//! values take it no byte: few bytes could keep it busy for hours. So no list may have more things
+//! than bytes are left.
+//!
 //! The metadata are Thrift in its compact form:
 //! <https://github.com/apache/thrift/blob/master/doc/specs/thrift-compact-protocol.md>
 
@@ -19,11 +23,14 @@ const TEXT: u8 = 8;
 const LIST: u8 = 9;
 const STRUCT: u8 = 12;
 
-/// The columns; `None` where they cannot be read, which the crate says better.
+/// The columns; `None` where they cannot be read and are not damaged, which the crate says better.
 pub(super) fn of(chunks: &Chunks) -> Result<Option<SchemaDescPtr>, Problem> {
     let Some(metadata) = metadata(chunks) else {
         return Ok(None);
     };
+    if Thrift(&metadata).skip(STRUCT, DEEPEST).is_none() {
+        return Err(Problem::Parquet("its metadata are damaged".into()));
+    }
     if Thrift(&metadata)
         .depth()
         .is_some_and(|depth| depth > DEEPEST)
