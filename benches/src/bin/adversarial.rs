@@ -47,7 +47,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Processor time of one thread, and the exponents by which it grows from a sixteenth of the points.
+/// Processor time of one thread, and the exponents by which it grows from a sixteenth of the
+/// points.
 fn print_growth(size: usize, wanted: &str, sets: &str) -> Result<(), Box<dyn Error>> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(1)
