@@ -26,9 +26,9 @@ pub(crate) struct Piece {
     /// A rectangle that holds it.
     pub(crate) place: Vector,
     /// A rectangle that holds its first derivatives.
-    pub(crate) velocity: Vector,
+    velocity: Vector,
     /// A rectangle that holds its second derivatives.
-    pub(crate) acceleration: Vector,
+    acceleration: Vector,
     /// The place and the first three derivatives at a parameter in the middle.
     middle: [Vector; 4],
     /// The parameters, from that one on.

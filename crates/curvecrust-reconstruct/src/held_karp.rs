@@ -200,19 +200,11 @@ impl Proof<'_> {
             link.is_required || link.cost(prices) - tree.replaced(link.ends) <= most
         });
         let count = self.points.len();
-        let counted = |links: &[Link], required: bool| {
-            let mut counts = vec![0_u32; count];
-            let counted = links.iter().filter(|link| link.is_required || !required);
-            for v in counted.flat_map(|link| link.ends) {
-                counts[v as usize] += 1;
-            }
-            counts
-        };
-        let degrees = counted(links, false);
+        let degrees = degrees(links.iter(), count);
         for link in links.iter_mut() {
             link.is_required |= link.ends.iter().any(|&v| degrees[v as usize] == 2);
         }
-        let required = counted(links, true);
+        let required = required_degrees(links, count);
         let is_full = |v: u32| required[v as usize] >= 2;
         links.retain(|link| link.is_required || !link.ends.iter().any(|&v| is_full(v)));
         degrees.iter().all(|&degree| degree >= 2) && required.iter().all(|&count| count <= 2)
@@ -222,14 +214,7 @@ impl Proof<'_> {
 /// The branches with and without an edge of the 1-tree, the longest at a point that has more than
 /// two of them, and of these where most are required: with one more, others are left out.
 fn parted(links: &[Link], prices: &[f64], tree: &OneTree) -> Vec<Branch> {
-    let mut required = vec![0_u32; prices.len()];
-    for v in links
-        .iter()
-        .filter(|link| link.is_required)
-        .flat_map(|link| link.ends)
-    {
-        required[v as usize] += 1;
-    }
+    let required = required_degrees(links, prices.len());
     let rank = |link: &Link| {
         let ranks = link.ends.map(|v| {
             let degree = tree.degrees[v as usize];
@@ -256,4 +241,17 @@ fn parted(links: &[Link], prices: &[f64], tree: &OneTree) -> Vec<Branch> {
     let mut with = links.to_vec();
     with[parting].is_required = true;
     vec![branch(with), branch(without)]
+}
+
+/// How many edges are at each of so many points.
+fn degrees<'a>(links: impl Iterator<Item = &'a Link>, count: usize) -> Vec<u32> {
+    let mut degrees = vec![0; count];
+    for v in links.flat_map(|link| link.ends) {
+        degrees[v as usize] += 1;
+    }
+    degrees
+}
+
+fn required_degrees(links: &[Link], count: usize) -> Vec<u32> {
+    degrees(links.iter().filter(|link| link.is_required), count)
 }
