@@ -181,13 +181,13 @@ async function agreement(page) {
     for (const { name, points: list } of points) {
       result.edges[name] = {};
       for (const algorithm of ALGORITHMS) {
-        const answer = await lane.ask({ do: "reconstruct", algorithm }, Float64Array.from(list));
+        const answer = await lane.ask({ reconstruct: { algorithm } }, Float64Array.from(list));
         result.edges[name][algorithm] = Array.from(answer.edges);
       }
     }
     for (const { name, svg } of curves) {
-      await lane.curve({ do: "curve", svg });
-      const answer = await lane.ask({ do: "sample", condition: "rho", bound: 0.9 });
+      await lane.curve({ curve: { svg } });
+      const answer = await lane.ask({ sample: { condition: "rho", bound: 0.9 } });
       result.samples[name] = Array.from(answer.samples);
     }
     return result;
@@ -201,10 +201,10 @@ async function times(page) {
     const { Lane } = await import("./engine.js");
     const { curves } = await import("./fixtures.js");
     const lane = new Lane();
-    await lane.curve({ do: "curve", svg: curves.find(({ name }) => name === "bunny").svg });
+    await lane.curve({ curve: { svg: curves.find(({ name }) => name === "bunny").svg } });
     const drags = [];
     for (let rho = 0.5; rho < 0.9; rho += 0.02) {
-      drags.push((await lane.ask({ do: "sample", condition: "rho", bound: rho })).milliseconds);
+      drags.push((await lane.ask({ sample: { condition: "rho", bound: rho } })).milliseconds);
     }
     const spiral = (count) =>
       Float64Array.from({ length: 2 * count }, (_, i) => {
@@ -214,10 +214,10 @@ async function times(page) {
     const many = spiral(100_000);
     let best = Infinity;
     for (let i = 0; i < 3; i++) {
-      const answer = await lane.ask({ do: "reconstruct", algorithm: "hnn-crust" }, many);
+      const answer = await lane.ask({ reconstruct: { algorithm: "hnn-crust" } }, many);
       best = Math.min(best, answer.milliseconds);
     }
-    const million = await lane.ask({ do: "reconstruct", algorithm: "hnn-crust" }, spiral(1_000_000));
+    const million = await lane.ask({ reconstruct: { algorithm: "hnn-crust" } }, spiral(1_000_000));
     drags.sort((a, b) => a - b);
     return { drag: drags[drags.length >> 1], many: best, million: million.milliseconds };
   });

@@ -114,7 +114,7 @@ export class Lane {
     if (this.#current || !this.#next) return;
     this.#worker ??= this.#start();
     let job = this.#next;
-    if (this.#reloads && job.header.do !== "curve") {
+    if (this.#reloads && job.header.curve === undefined) {
       job = { header: this.#curve, numbers: new Float64Array(), resolve() {}, reject() {} };
     } else {
       this.#next = null;

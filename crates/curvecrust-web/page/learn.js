@@ -71,7 +71,7 @@ async function featureSize(svg) {
     ],
     { label: "Place on the curve", min: 0, max: 999, value: 430 },
   );
-  const curve = await new Lane().curve({ do: "curve", svg });
+  const curve = await new Lane().curve({ curve: { svg } });
   plot.box = curve.box;
   const count = curve.dense.length / 2;
   const at = () => Math.min(count - 1, Math.floor((slider.value / 1000) * count));
@@ -102,7 +102,7 @@ async function conditions(svg) {
     { label: "Bound", min: 0.15, max: 0.9, step: 0.01, value: 0.47 },
   );
   const lane = new Lane();
-  const curve = await lane.curve({ do: "curve", svg });
+  const curve = await lane.curve({ curve: { svg } });
   plot.box = curve.box;
   let shown = null;
   plot.show((g, place, colour) => {
@@ -114,13 +114,13 @@ async function conditions(svg) {
   const update = async () => {
     const bound = Number(slider.value);
     const rho = bound / (1 - bound);
-    const epsilonSamples = await lane.ask({ do: "sample", condition: "epsilon", bound });
+    const epsilonSamples = await lane.ask({ sample: { condition: "epsilon", bound } });
     if (!epsilonSamples) return;
     const parts = [`epsilon < ${bound.toFixed(2)}: ${epsilonSamples.samples.length / 2} samples (shown)`];
     shown = epsilonSamples;
     plot.redraw();
     if (rho <= 1) {
-      const answer = await lane.ask({ do: "sample", condition: "rho", bound: rho });
+      const answer = await lane.ask({ sample: { condition: "rho", bound: rho } });
       if (!answer) return;
       parts.push(`rho < ${rho.toFixed(2)}, which it implies: ${answer.samples.length / 2}`);
     }
@@ -217,7 +217,7 @@ function angles() {
   });
   const update = async () => {
     const points = Float64Array.from(zigzag(Number(slider.value)));
-    const ask = (lane, algorithm) => lane.ask({ do: "reconstruct", algorithm }, points);
+    const ask = (lane, algorithm) => lane.ask({ reconstruct: { algorithm } }, points);
     const [crust, hnn] = await Promise.all([ask(lanes[0], "crust"), ask(lanes[1], "hnn-crust")]);
     if (!crust || !hnn) return;
     shown = { points, crust, hnn };
@@ -250,7 +250,7 @@ async function balls(svg) {
     ],
     { label: "Place on the curve", min: 0, max: 999, value: 200 },
   );
-  const curve = await new Lane().curve({ do: "curve", svg });
+  const curve = await new Lane().curve({ curve: { svg } });
   plot.box = curve.box;
   const count = curve.dense.length / 2;
   const at = () => Math.min(count - 2, Math.floor((slider.value / 1000) * count));
@@ -304,7 +304,7 @@ function unique() {
   const update = async () => {
     const gap = Number(slider.value);
     const points = Float64Array.from([0, 1, 2, 3, 4, 5].flatMap((x) => [x, 0, x, gap]));
-    const answer = await lane.ask({ do: "reconstruct", algorithm: "least-detour", reasons: true }, points);
+    const answer = await lane.ask({ reconstruct: { algorithm: "least-detour", reasons: true } }, points);
     if (!answer) return;
     shown = { points, edges: answer.edges };
     plot.box = boxOf(points);

@@ -60,7 +60,7 @@ export async function open(file) {
     if (file.size > 100e6) throw new Error(`${file.name}: more than 100 MB are too much for a page.`);
     const text = await file.text();
     if (current === "sample") return sample.open(file.name, text);
-    const found = await reader.ask({ do: "points", name: file.name, text });
+    const found = await reader.ask({ points: { name: file.name, text } });
     if (!found) return null;
     if (current === "learn") select("reconstruct");
     return reconstruct.setPoints(Array.from(found.points), found.format !== "SVG");

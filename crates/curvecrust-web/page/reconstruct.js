@@ -133,27 +133,27 @@ async function update() {
 }
 
 async function ask(side, sent) {
-  const header = { do: "reconstruct", algorithm: get(`algorithm-${side.side}`).value };
-  if (get("shape").value) header.shape = get("shape").value;
-  if (Number(get("curves").value) >= 1) header.curves = Math.floor(Number(get("curves").value));
-  header.reasons = sent.length / 2 <= EXPLAINED;
-  const canKnow = header.algorithm === "least-detour";
-  const unused = !canKnow && (header.shape || header.curves);
+  const request = { algorithm: get(`algorithm-${side.side}`).value };
+  if (get("shape").value) request.shape = get("shape").value;
+  if (Number(get("curves").value) >= 1) request.curves = Math.floor(Number(get("curves").value));
+  request.reasons = sent.length / 2 <= EXPLAINED;
+  const canKnow = request.algorithm === "least-detour";
+  const unused = !canKnow && (request.shape || request.curves);
   if (!canKnow) {
-    delete header.shape;
-    delete header.curves;
+    delete request.shape;
+    delete request.curves;
   }
   const caption = get(`caption-${side.side}`);
   try {
-    const answer = await side.lane.ask(header, sent);
+    const answer = await side.lane.ask({ reconstruct: request }, sent);
     if (!answer) return;
     side.answer = answer;
     side.points = points;
     const left = unused ? "; it cannot use what you know" : "";
-    caption.textContent = summary(header.algorithm, answer) + left;
+    caption.textContent = summary(request.algorithm, answer) + left;
   } catch (error) {
     side.answer = null;
-    caption.textContent = `${header.algorithm}: no result`;
+    caption.textContent = `${request.algorithm}: no result`;
     throw error;
   } finally {
     compare();

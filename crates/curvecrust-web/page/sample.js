@@ -79,7 +79,7 @@ async function restore(curves, linked) {
 
 /** Takes a drawing; one that is none leaves the one before it. */
 export async function open(name, svg) {
-  if (!(await take({ do: "curve", svg }))) return;
+  if (!(await take({ curve: { svg } }))) return;
   source = { name, svg };
   strokes = null;
   get("draw").setAttribute("aria-pressed", "false");
@@ -92,10 +92,10 @@ async function take(header) {
   if (!loaded) return false;
   curve = loaded;
   samples = null;
-  if (header.svg) plot.box = loaded.box;
+  if (header.curve.svg) plot.box = loaded.box;
   await update();
   const counting = await counter.curve(header);
-  const counts = counting && (await counter.ask({ do: "counts" }));
+  const counts = counting && (await counter.ask("counts"));
   if (counts) showCounts(counts.counts);
   return true;
 }
@@ -134,7 +134,7 @@ async function update() {
   get("guarantee").classList.toggle("warn", bound > (condition === "rho" ? 0.888 : 0.47));
   if (!curve) return;
   await attempt(async () => {
-    const answer = await lane.ask({ do: "sample", condition, bound, limit });
+    const answer = await lane.ask({ sample: { condition, bound, limit } });
     if (!answer) return;
     samples = answer;
     get("sample-caption").textContent = caption(answer);
@@ -219,7 +219,7 @@ function drag(x, y, pressed) {
 async function redraw() {
   plot.redraw();
   const path = pathOf(strokes, get("draw-closed").checked);
-  if (path) await take({ do: "curve", path });
+  if (path) await take({ curve: { path } });
 }
 
 function paint(g, place, colour) {

@@ -18,7 +18,7 @@ pub struct Engine {
 
 /// What the page may ask for.
 #[derive(Deserialize)]
-#[serde(tag = "do", rename_all = "kebab-case", deny_unknown_fields)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 enum Request {
     /// The algorithms, with what is known of them.
     Algorithms,

@@ -50,6 +50,8 @@ pub(crate) fn toolchain() -> Option<Command> {
         "-Zbuild-std-features=optimize_for_size",
     ]);
     command.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
+    // A panic has nowhere to print its place, and the names of files are a thirtieth of the module.
+    command.env("RUSTFLAGS", "-Zlocation-detail=none");
     command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker);
     // Of the toolchain that runs this task; they would lead back to it.
     for name in ["RUSTUP_TOOLCHAIN", "CARGO", "RUSTDOC", "RUSTC_WRAPPER"] {

@@ -7,7 +7,8 @@ use curvecrust::evaluate::Reference;
 use curvecrust::medial_axis::{MeasuredCurve, MedialAxis, measure_pieces, strokes_of};
 use curvecrust::reconstruct::{HnnCrust, LeastDetour, Reconstructor};
 use curvecrust::sampling::{Condition, Sampling, SplitOptions, sample_pieces, sample_split_with};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde_json::json;
 
 /// How exactly distances are computed, as a share of the extent.
 const TOLERANCE: f64 = 1e-4;
@@ -38,13 +39,6 @@ pub(super) struct SampleRequest {
 enum Name {
     Epsilon,
     Rho,
-}
-
-/// The number of samples for one bound, as in Table 2 of the paper.
-#[derive(Serialize)]
-struct Count {
-    bound: &'static str,
-    samples: Option<usize>,
 }
 
 /// A curve with all that its samples need.
@@ -153,12 +147,9 @@ impl Loaded {
     pub(super) fn counts(&self) -> Result<Answer, Error> {
         let epsilon = |bound| Condition::epsilon(bound);
         let rho = Condition::rho(0.9)?;
-        let count = |bound, condition, every_start| Count {
-            bound,
-            samples: self
-                .samples(condition, every_start)
-                .map(|sampling| sampling.samples.len())
-                .ok(),
+        let count = |bound: &str, condition, every_start| {
+            let sampling = self.samples(condition, every_start).ok();
+            json!({ "bound": bound, "samples": sampling.map(|found| found.samples.len()) })
         };
         let mut answer = Answer::default();
         answer.value(

@@ -44,7 +44,7 @@ fn edges_are_those_of_the_library_on_all_fixtures() {
                 .concat();
             let wanted: Vec<f64> = edges.iter().map(|&index| index as f64).collect();
             let header =
-                json!({"do": "reconstruct", "algorithm": algorithm.info().name, "reasons": true});
+                json!({"reconstruct": {"algorithm": algorithm.info().name, "reasons": true}});
             let got = ask(&mut engine, &header, &points);
             assert_eq!(
                 got.array("edges"),
@@ -61,9 +61,9 @@ fn samples_are_those_of_the_library_on_all_fixtures() {
     let mut engine = Engine::default();
     for entry in fixtures::Manifest::read().unwrap().curves {
         let svg = std::fs::read_to_string(fixtures::path(&entry.file)).unwrap();
-        let got = ask(&mut engine, &json!({"do": "curve", "svg": svg}), &[]);
+        let got = ask(&mut engine, &json!({"curve": {"svg": svg}}), &[]);
         assert!(!got.array("dense").is_empty(), "{}", entry.name);
-        let header = json!({"do": "sample", "condition": "rho", "bound": 0.9});
+        let header = json!({"sample": {"condition": "rho", "bound": 0.9}});
         let got = ask(&mut engine, &header, &[]);
         let curve = curvecrust::curve::Curve::from_svg(&svg).unwrap();
         let wanted = sample(&measure(&curve).unwrap(), Condition::rho(0.9).unwrap()).unwrap();
@@ -81,8 +81,8 @@ fn samples_are_those_of_the_library_on_all_fixtures() {
 fn counts_fall_from_bound_to_bound() {
     let mut engine = Engine::default();
     let d = "M 0 0 H 4 A 1 1 0 0 1 4 2 H 0 A 1 1 0 0 1 0 0 Z";
-    ask(&mut engine, &json!({"do": "curve", "path": d}), &[]);
-    let got = ask(&mut engine, &json!({"do": "counts"}), &[]);
+    ask(&mut engine, &json!({"curve": {"path": d}}), &[]);
+    let got = ask(&mut engine, &json!("counts"), &[]);
     let counts = got.0["counts"].as_array().unwrap().iter();
     let counts: Vec<u64> = counts
         .map(|count| count["samples"].as_u64().unwrap())
@@ -96,9 +96,9 @@ fn corners_are_samples_and_crossings_are_cut() {
     let mut engine = Engine::default();
     let svg = "<svg xmlns='http://www.w3.org/2000/svg'><g transform='translate(5 5) scale(2)'>
         <rect width='4' height='3'/><use href='#c'/></g><defs><circle id='c' cx='9' r='2'/></defs></svg>";
-    let got = ask(&mut engine, &json!({"do": "curve", "svg": svg}), &[]);
+    let got = ask(&mut engine, &json!({"curve": {"svg": svg}}), &[]);
     assert_eq!((&got.0["corners"], &got.0["cuts"]), (&json!(4), &json!(0)));
-    let header = json!({"do": "sample", "condition": "rho", "bound": 0.9});
+    let header = json!({"sample": {"condition": "rho", "bound": 0.9}});
     let got = ask(&mut engine, &header, &[]);
     assert_eq!(got.0["exact"], true);
     assert_eq!(got.0["decoder"], "least-detour");
@@ -106,7 +106,7 @@ fn corners_are_samples_and_crossings_are_cut() {
     for corner in [[5.0, 5.0], [13.0, 5.0], [13.0, 11.0], [5.0, 11.0]] {
         assert!(samples.contains(&&corner[..]), "{corner:?}");
     }
-    let cross = json!({"do": "curve", "path": "M 0 1 H 2 M 1 0 V 2"});
+    let cross = json!({"curve": {"path": "M 0 1 H 2 M 1 0 V 2"}});
     let got = ask(&mut engine, &cross, &[]);
     assert_eq!(got.0["cuts"], 1);
 }
@@ -116,30 +116,27 @@ fn what_cannot_be_answered_is_an_error_in_words() {
     let mut engine = Engine::default();
     let equal = [DVec2::ONE, DVec2::ONE];
     for (header, points) in [
-        (json!({"do": "nothing"}), &[][..]),
+        (json!("nothing"), &[][..]),
+        (json!({"sample": {"condition": "rho", "bound": 0.9}}), &[]),
+        (json!({"curve": {"svg": "<svg"}}), &[]),
+        (json!({"curve": {"path": "M 0 0"}}), &[]),
+        (json!({"reconstruct": {"algorithm": "none"}}), &[]),
         (
-            json!({"do": "sample", "condition": "rho", "bound": 0.9}),
-            &[],
-        ),
-        (json!({"do": "curve", "svg": "<svg"}), &[]),
-        (json!({"do": "curve", "path": "M 0 0"}), &[]),
-        (json!({"do": "reconstruct", "algorithm": "none"}), &[]),
-        (
-            json!({"do": "reconstruct", "algorithm": "crust", "shape": "closed"}),
+            json!({"reconstruct": {"algorithm": "crust", "shape": "closed"}}),
             &equal,
         ),
         (
-            json!({"do": "reconstruct", "algorithm": "crust"}),
+            json!({"reconstruct": {"algorithm": "crust"}}),
             &[DVec2::NAN],
         ),
-        (json!({"do": "points", "name": "a", "text": "b"}), &[]),
+        (json!({"points": {"name": "a", "text": "b"}}), &[]),
     ] {
         let got = ask(&mut engine, &header, points);
         assert!(got.0["error"].as_str().unwrap().len() > 10, "{header}");
     }
     let got = ask(
         &mut engine,
-        &json!({"do": "reconstruct", "algorithm": "crust"}),
+        &json!({"reconstruct": {"algorithm": "crust"}}),
         &equal,
     );
     assert_eq!(got.0["duplicates"], 1);
