@@ -4,7 +4,7 @@
 use curvecrust::DVec2;
 use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
 use curvecrust::reconstruct::{LeastDetour, Reconstructor};
-use curvecrust_lab::counterexamples::{two_curves, two_sparser_curves};
+use curvecrust_lab::counterexamples::{ProvenSamples, two_curves, two_sparser_curves};
 
 /// The edges of the second curve in terms of the samples of the first.
 fn renamed(edges: &EdgeSet, from: &PointSet, to: &PointSet) -> EdgeSet {
@@ -32,9 +32,7 @@ fn both_are_sampled_alike() {
         for one in &curves {
             one.prove().unwrap();
         }
-        let [one, other] = curves.each_ref().map(|curve| curve.points().unwrap());
-        let [truth, other_truth] = curves.each_ref().map(|curve| curve.truth());
-        let other = renamed(&other_truth, &other, &one);
+        let (_, [truth, other]) = pair(&curves);
         assert_eq!(truth.len(), other.len());
         assert_eq!(truth.difference(&other).count(), 4);
         assert_eq!(other.difference(&truth).count(), 4);
@@ -55,20 +53,32 @@ fn margins(points: &PointSet, edges: [&EdgeSet; 2]) -> Vec<f64> {
         .collect()
 }
 
+/// The samples of a pair, and the edges of both curves.
+fn pair(curves: &[ProvenSamples; 2]) -> (PointSet, [EdgeSet; 2]) {
+    let [points, others] = curves.each_ref().map(|curve| curve.points().unwrap());
+    let [truth, other] = curves.each_ref().map(|curve| curve.truth());
+    let other = renamed(&other, &others, &points);
+    (points, [truth, other])
+}
+
 #[test]
-fn least_detour_says_that_it_is_ambiguous_and_a_nudge_decides() {
-    let [petals, flower] = two_curves().unwrap();
-    let [points, others] = [&petals, &flower].map(|curve| curve.points().unwrap());
-    let truth = petals.truth();
-    let other = renamed(&flower.truth(), &others, &points);
-    let even = margins(&points, [&truth, &other]);
-    assert_eq!(even.len(), 4);
-    assert!(even.iter().all(|margin| margin.abs() < 1e-12), "{even:?}");
+fn least_detour_says_that_both_pairs_are_ambiguous() {
+    for curves in [two_curves(), two_sparser_curves()] {
+        let (points, edges) = pair(&curves.unwrap());
+        let even = margins(&points, edges.each_ref());
+        assert_eq!(even.len(), 4);
+        assert!(even.iter().all(|margin| margin.abs() < 1e-12), "{even:?}");
+    }
+}
+
+#[test]
+fn a_nudge_decides() {
+    let (points, edges) = pair(&two_curves().unwrap());
     let mut random = Random::new(1);
     let mut nudged =
         |p: &DVec2| *p + 1e-3 * DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
     let nudged = PointSet::new(points.points().iter().map(&mut nudged).collect()).unwrap();
-    let decided = margins(&nudged, [&truth, &other]);
+    let decided = margins(&nudged, edges.each_ref());
     assert_eq!(decided.len(), 4);
     assert!(decided.iter().all(|margin| *margin > 1e-4), "{decided:?}");
 }

@@ -18,10 +18,10 @@
 //! closed. Since a bend depends on two edges, this is no linear matching problem, and it is not
 //! solved exactly:
 //!
-//! 1. **Certify.** Where HNN-Crust leaves no free end among points near each other, its edges stay.
-//!    Elsewhere edges stay that HNN-Crust and the one-step crust find and that continue almost
-//!    straight at both ends. Edges that are much longer than the runs at both of their ends are
-//!    gaps, and do not stay.
+//! 1. **Certify.** Where HNN-Crust leaves no free end among points near each other, and chooses no
+//!    edge of which there is another one as long, its edges stay. Elsewhere edges stay that
+//!    HNN-Crust and the one-step crust find and that continue almost straight at both ends. Edges
+//!    that are much longer than the runs at both of their ends are gaps, and do not stay.
 //! 2. **Complete.** Other edges are added, the shortest first, while both of their points have a
 //!    free end and the edge costs less than the penalties of both.
 //! 3. **Exchange.** Edges are exchanged along alternating paths of up to twelve added edges (Lin,
@@ -34,9 +34,9 @@
 //!   between them, in x, the disc about x through both is smaller than lfs(x), so the curve inside
 //!   it is one arc, which holds no other sample: the disc is empty.
 //! - Correct wherever HNN-Crust is correct and gives every point two edges, as it does by its
-//!   theorems on closed smooth curves, unless an edge is a gap. No sampling condition excludes
-//!   gaps: an arc of 320 degrees, closed by a chord, is an epsilon-sample of a circle with epsilon
-//!   < 0.2.
+//!   theorems on closed smooth curves, unless an edge is a gap or two candidates are equally near.
+//!   No sampling condition excludes gaps: an arc of 320 degrees, closed by a chord, is an
+//!   epsilon-sample of a circle with epsilon < 0.2.
 //!
 //! Beyond that nothing is proven, but much is measured: `cargo xtask compare`.
 //!

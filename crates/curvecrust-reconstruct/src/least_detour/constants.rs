@@ -77,6 +77,10 @@ pub(super) const SPACING_EDGES: usize = 3;
 /// of HNN-Crust at one of them.
 pub(super) const CLUSTER_EDGES: f64 = 3.0;
 
+/// Two edges are equally long if one is not longer than this many times the other. Rounding makes
+/// them differ by far less.
+pub(super) const TIE: f64 = 1.0 + 1e-9;
+
 /// The least cosine of the turn between certified edges: a turn of 31.8 degrees.
 pub(super) const CERTIFIED_COSINE: f64 = 0.85;
 

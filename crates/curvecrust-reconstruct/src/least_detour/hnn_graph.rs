@@ -7,7 +7,7 @@ use super::candidates::Candidates;
 use super::certificates::{Certificates, NONE, add_partners};
 use super::constants::{
     AHEAD_COSINE, CERTIFIED_COSINE, CLUSTER_EDGES, GAP, GAP_DEVIATIONS, GAP_EDGES, LAST_EDGE,
-    LEAST_RUN_EDGES, PRIOR_DEVIATION, PRIOR_EDGES, RUN_EDGES, SPACING_EDGES,
+    LEAST_RUN_EDGES, PRIOR_DEVIATION, PRIOR_EDGES, RUN_EDGES, SPACING_EDGES, TIE,
 };
 use super::measure::Measure;
 use crate::clusters::Clusters;
@@ -87,7 +87,7 @@ impl<'a> HnnGraph<'a> {
     }
 
     /// For every point whether HNN-Crust gives every point of its cluster as many edges as it may
-    /// have.
+    /// have, none of which could as well be another.
     fn complete_clusters(&self, candidates: &Candidates) -> Vec<bool> {
         let longest = |v: u32| {
             let lengths = self.neighbours(v).map(|w| self.measure.length(v, w));
@@ -105,7 +105,7 @@ impl<'a> HnnGraph<'a> {
             }
         }
         let mut is_complete = vec![true; self.points.len()];
-        for v in ids().filter(|&v| !self.is_full(v)) {
+        for v in ids().filter(|&v| !self.is_full(v) || self.is_tied(candidates, v)) {
             is_complete[clusters.name(v) as usize] = false;
         }
         ids()
@@ -116,6 +116,26 @@ impl<'a> HnnGraph<'a> {
     /// Whether the point has as many edges as it may have.
     fn is_full(&self, v: u32) -> bool {
         self.neighbours(v).count() + usize::from(self.is_terminus[v as usize]) >= 2
+    }
+
+    /// Whether a candidate that HNN-Crust does not join to the point is as near as the nearest
+    /// neighbour or as the half neighbour: only rounding has chosen between them.
+    fn is_tied(&self, candidates: &Candidates, v: u32) -> bool {
+        let length = |w: u32| self.measure.length(v, w);
+        let Some(nearest) = self
+            .neighbours(v)
+            .min_by(|&p, &q| length(p).total_cmp(&length(q)))
+        else {
+            return false;
+        };
+        let farthest = self.neighbours(v).map(length).fold(0.0, f64::max);
+        let near = candidates.of(v).iter().copied();
+        let mut near = near.take_while(|&w| length(w) <= TIE * farthest);
+        near.any(|w| {
+            let may_be_half = || length(w) < TIE * self.measure.length(w, nearest);
+            self.neighbours(v).all(|chosen| chosen != w)
+                && (length(w) <= TIE * length(nearest) || may_be_half())
+        })
     }
 
     fn remove_gaps(&mut self) {
