@@ -223,7 +223,7 @@ fn every_edge_and_every_open_end_has_its_reason() {
         .collect();
     assert_eq!(of, [0, 4, 5, 8, 9]);
     assert_eq!(
-        (&ends[4]["partner"], &ends[4]["slots"]),
+        (&ends[4]["partner"], &ends[4]["free_ends"]),
         (&json!(8), &json!(2))
     );
     assert!(ends[4]["cost_at_most"].as_f64().unwrap() > 0.0);

@@ -15,8 +15,8 @@ pub(super) struct ReasonObject {
 #[derive(Serialize)]
 pub(super) struct OpenEndObject {
     point: u32,
-    slots: u8,
-    price: f64,
+    free_ends: u8,
+    penalty: f64,
     partner: Option<u32>,
     cost_at_most: Option<f64>,
 }
@@ -36,8 +36,8 @@ pub(super) fn open_ends<'a>(
 ) -> impl Iterator<Item = OpenEndObject> + 'a {
     why.free_ends.iter().map(|end| OpenEndObject {
         point: bare.row(end.point),
-        slots: end.count,
-        price: end.penalty,
+        free_ends: end.count,
+        penalty: end.penalty,
         partner: end.rejected.map(|rejected| bare.row(rejected.partner)),
         cost_at_most: end.rejected.map(|rejected| rejected.cost_at_most),
     })
