@@ -14,8 +14,8 @@ pub(crate) struct Args {
     /// These algorithms, separated by commas, instead of those of each experiment
     #[arg(long, value_delimiter = ',', value_name = "NAMES", value_parser = algorithms::names())]
     algorithms: Vec<String>,
-    /// These experiments, separated by commas, instead of all but `scale`; their results are
-    /// printed by the values of their sweep
+    /// These experiments, separated by commas, instead of all but `scale` (and `outlines` without
+    /// --outlines); their results are printed by the values of their sweep
     #[arg(long, value_delimiter = ',', value_name = "NAMES")]
     experiments: Vec<String>,
     /// So many trials a cell, instead of what each experiment says
@@ -36,6 +36,10 @@ pub(crate) struct Args {
     /// Where to write, instead of target/compare
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Where the files of the experiment `outlines` are: `*.ndjson`, a JSON object with `name` and
+    /// `rings`, lists of pairs, on each line
+    #[arg(long, value_name = "DIR")]
+    outlines: Option<PathBuf>,
     /// Put the results into docs/results/compare too, in the place of earlier ones of the same
     /// experiments
     #[arg(long, conflicts_with_all = ["quick", "algorithms", "trials", "seed", "resume"])]
@@ -85,6 +89,7 @@ fn options(args: &Args) -> Options {
         quick: args.quick,
         resume: args.resume,
         output: args.output.clone(),
+        outlines: args.outlines.clone(),
     }
 }
 

@@ -33,6 +33,7 @@ pub mod heat_map;
 mod jumps;
 mod known;
 mod memory;
+mod outlines;
 pub mod page;
 mod plan;
 mod progress;
@@ -43,6 +44,7 @@ pub mod rows;
 mod run;
 pub mod scale;
 mod seed;
+mod shapes;
 pub mod tables;
 #[cfg(test)]
 mod tests;

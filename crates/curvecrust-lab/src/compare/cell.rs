@@ -3,6 +3,8 @@
 
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
+use super::outlines::Outlines;
+use super::shapes;
 use super::true_curves::{Named, Part, TrueCurves};
 use anyhow::Context;
 use curvecrust::DVec2;
@@ -21,6 +23,8 @@ pub(super) struct Job {
     pub(super) input: Input,
     /// The curve, for inputs that have several.
     pub(super) curve: Option<Named>,
+    /// The outlines, for inputs that are of files.
+    pub(super) outlines: Option<Arc<Outlines>>,
     pub(super) x: f64,
     pub(super) trials: u32,
 }
@@ -80,10 +84,13 @@ impl Job {
         | Input::Sine { group, .. }
         | Input::Spiral { group, .. }
         | Input::Arcs { group, .. }
+        | Input::Shapes { group, .. }
+        | Input::Outlines { group }
         | Input::Planted { group }) = &self.input;
-        match &self.curve {
-            Some(curve) => format!("{group}/{curve}"),
-            None => group.clone(),
+        match (&self.curve, &self.outlines) {
+            (Some(curve), _) => format!("{group}/{curve}"),
+            (None, Some(outlines)) => format!("{group}/{}", outlines.name),
+            (None, None) => group.clone(),
         }
     }
 
@@ -91,7 +98,7 @@ impl Job {
     pub(super) fn prepare(&self, fixtures: &Fixtures) -> anyhow::Result<Cell> {
         let x = self.x;
         let over = self.experiment.sweep.over;
-        let closed = |curves: TrueCurves, jitter: f64, start: Start| {
+        let unmarked = |curves: TrueCurves, jitter: f64, start: Start| {
             Cell::evenly(curves, 1.0, jitter, start, Ends::Unmarked)
         };
         Ok(match &self.input {
@@ -125,12 +132,14 @@ impl Job {
                     Tip::Sampled => Start::Sampled,
                     Tip::Skipped => Start::Skipped,
                 };
-                closed(TrueCurves::teardrop(x), *jitter, start)
+                unmarked(TrueCurves::teardrop(x), *jitter, start)
             }
             Input::Racetracks { jitter, .. } => {
-                closed(TrueCurves::racetracks(x), *jitter, Start::Random)
+                unmarked(TrueCurves::racetracks(x), *jitter, Start::Random)
             }
-            Input::Circles { jitter, .. } => closed(TrueCurves::circles(x), *jitter, Start::Random),
+            Input::Circles { jitter, .. } => {
+                unmarked(TrueCurves::circles(x), *jitter, Start::Random)
+            }
             Input::Sine { jitter, ends, .. } => {
                 Cell::evenly(TrueCurves::sine(), x, *jitter, Start::Random, *ends)
             }
@@ -140,6 +149,10 @@ impl Job {
             Input::Arcs { jitter, ends, .. } => {
                 Cell::evenly(TrueCurves::arcs(), x, *jitter, Start::Random, *ends)
             }
+            Input::Shapes { shape, jitter, .. } => {
+                unmarked(shapes::curves(*shape, x), *jitter, Start::Random)
+            }
+            Input::Outlines { .. } => anyhow::bail!("outlines are points already"),
             Input::Planted { .. } => anyhow::bail!("planted points are for run times only"),
         })
     }
@@ -283,7 +296,7 @@ fn along(part: &Part, spacing: f64, jitter: f64, start: Start, random: &mut Rand
     clippy::cast_sign_loss,
     reason = "a count of points"
 )]
-fn rounded(value: f64) -> usize {
+pub(super) fn rounded(value: f64) -> usize {
     value.round() as usize
 }
 

@@ -64,6 +64,8 @@ pub(super) enum Over {
     Outliers,
     /// The number of points.
     Points,
+    /// Of a ring every so many points are taken.
+    Every,
 }
 
 /// Where points come from. Names of series are the group's, and the curve's after a `/`.
@@ -111,8 +113,32 @@ pub(super) enum Input {
         jitter: f64,
         ends: Ends,
     },
+    /// Small closed curves or open strokes as in drawings and maps, at a distance.
+    Shapes {
+        group: String,
+        shape: Shape,
+        jitter: f64,
+    },
+    /// The rings of each file of a folder that is given to a run; a trial takes one outline.
+    Outlines { group: String },
     /// Wavy closed curves that do not touch, at an even spacing of a 50th of their distance.
     Planted { group: String },
+}
+
+/// What is at a distance from what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Shape {
+    /// Nine circles of five points in a grid.
+    Dots,
+    /// Six rectangles in a grid.
+    Pads,
+    /// The ends of a circle that is open, like a letter C.
+    LetterC,
+    /// Two straight strokes that follow each other on one line.
+    StrokesInLine,
+    /// Three straight strokes beside each other.
+    ParallelStrokes,
 }
 
 /// Which curves.
@@ -233,10 +259,13 @@ impl Experiment {
                     _ => false,
                 },
                 Input::Teardrop { .. } => sweep.over == Over::Apex,
-                Input::Racetracks { .. } | Input::Circles { .. } => sweep.over == Over::Gap,
+                Input::Racetracks { .. } | Input::Circles { .. } | Input::Shapes { .. } => {
+                    sweep.over == Over::Gap
+                }
                 Input::Sine { .. } | Input::Spiral { .. } | Input::Arcs { .. } => {
                     sweep.over == Over::Spacing
                 }
+                Input::Outlines { .. } => sweep.over == Over::Every,
                 Input::Planted { .. } => sweep.over == Over::Points,
             };
             ensure!(
@@ -274,9 +303,11 @@ mod tests {
                 "corners",
                 "density-epsilon",
                 "density-rho",
+                "gaps",
                 "noise",
                 "open",
                 "outliers",
+                "outlines",
                 "scale",
                 "sparse-epsilon",
                 "sparse-rho"

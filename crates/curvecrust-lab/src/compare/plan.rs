@@ -2,6 +2,7 @@
 
 use super::cell::{Fixtures, Job};
 use super::experiment::{self, Choice, Experiment, Input, Kind, Over};
+use super::outlines;
 use super::true_curves::{self, Named, TrueCurves};
 use anyhow::{Context, ensure};
 use curvecrust_testing::fixtures::{CurveEntry, Manifest};
@@ -15,7 +16,7 @@ use std::sync::Arc;
 pub struct Options {
     /// Algorithms instead of those of each experiment; none for those.
     pub algorithms: Vec<String>,
-    /// Experiments instead of all but `scale`; none for those.
+    /// Experiments instead of all but `scale`, and but `outlines` without files; none for those.
     pub experiments: Vec<String>,
     /// So many trials a cell, instead of what each experiment says.
     pub trials: Option<u32>,
@@ -29,6 +30,8 @@ pub struct Options {
     pub resume: bool,
     /// Where to write, instead of target/compare.
     pub output: Option<PathBuf>,
+    /// Where the files of outlines are; without it, experiments of outlines are left out.
+    pub outlines: Option<PathBuf>,
 }
 
 /// Everything that decides the rows.
@@ -99,6 +102,7 @@ pub(super) fn chosen(options: &Options) -> anyhow::Result<Vec<Experiment>> {
     let wanted = |e: &Experiment| {
         if options.experiments.is_empty() {
             e.sweep.over != Over::Points
+                && (e.sweep.over != Over::Every || options.outlines.is_some())
         } else {
             options.experiments.contains(&e.name)
         }
@@ -123,24 +127,30 @@ pub(super) fn plan(options: &Options, experiments: &[Experiment]) -> anyhow::Res
             &experiment.sweep.values
         };
         for input in &experiment.input {
-            let curves: Vec<Option<Named>> = match input {
+            let job = Job {
+                experiment: Arc::clone(&experiment),
+                input: input.clone(),
+                curve: None,
+                outlines: None,
+                x: 0.0,
+                trials: options.trials.unwrap_or(usual),
+            };
+            let series: Vec<Job> = match input {
                 Input::Curves { curves, quick, .. } => {
                     let chosen = if options.quick { quick } else { curves };
-                    named(&manifest, chosen).into_iter().map(Some).collect()
+                    let curves = named(&manifest, chosen).into_iter().map(Some);
+                    curves
+                        .map(|curve| Job {
+                            curve,
+                            ..job.clone()
+                        })
+                        .collect()
                 }
-                _ => vec![None],
+                Input::Outlines { .. } => of_outlines(&job, options)?,
+                _ => vec![job],
             };
-            for (curve, &x) in curves
-                .iter()
-                .flat_map(|c| values.iter().map(move |x| (c, x)))
-            {
-                jobs.push(Job {
-                    experiment: Arc::clone(&experiment),
-                    input: input.clone(),
-                    curve: curve.clone(),
-                    x,
-                    trials: options.trials.unwrap_or(usual),
-                });
+            for job in series {
+                jobs.extend(values.iter().map(|&x| Job { x, ..job.clone() }));
             }
         }
     }
@@ -149,6 +159,21 @@ pub(super) fn plan(options: &Options, experiments: &[Experiment]) -> anyhow::Res
         seed: options.seed,
         algorithms: options.algorithms.clone(),
     })
+}
+
+/// One for each file, with a trial for each outline, or for as many as there are to be at most.
+fn of_outlines(job: &Job, options: &Options) -> anyhow::Result<Vec<Job>> {
+    let folder = options.outlines.as_ref();
+    let folder = folder.context("no outlines: give --outlines DIR, a folder of .ndjson files")?;
+    let files = outlines::of_folder(folder)?.into_iter().map(|outlines| {
+        let count = u32::try_from(outlines.len()).unwrap_or(u32::MAX);
+        Job {
+            trials: count.min(job.trials),
+            outlines: Some(Arc::new(outlines)),
+            ..job.clone()
+        }
+    });
+    Ok(files.collect())
 }
 
 /// The curves that an input wants, sorted if it names a kind.

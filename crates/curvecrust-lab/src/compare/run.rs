@@ -4,13 +4,13 @@
 //! of another's. The files grow in the order of the plan; after an interruption, they
 //! are the start of what one run would have written.
 
-use super::cell::{Fixtures, Job};
+use super::cell::{self, Fixtures, Job};
 use super::experiment::Input;
 use super::plan::Plan;
 use super::progress;
 use super::records;
 use super::scale;
-use super::trial::{self, Done};
+use super::trial::{self, Done, Drawn};
 use crate::compare::rows::{Row, Timing};
 use anyhow::{Context, ensure};
 use indicatif::ProgressBar;
@@ -18,6 +18,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
 
@@ -118,9 +119,20 @@ impl Work<'_> {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         let seed = self.plan.seed.unwrap_or(job.experiment.seed);
         let algorithms = self.plan.algorithms_of(job);
-        match job.input {
-            Input::Planted { .. } => scale::run(job, seed, algorithms, self.threads, &goes_on),
-            _ => trial::run(job, seed, algorithms, self.fixtures, &goes_on),
+        match (&job.input, &job.outlines) {
+            (Input::Planted { .. }, _) => scale::run(job, seed, algorithms, self.threads, &goes_on),
+            (_, Some(outlines)) => {
+                let draw = |trial, _| outlines.draw(trial as usize, cell::rounded(job.x));
+                trial::run(job, seed, algorithms, &draw, &goes_on)
+            }
+            (_, None) => {
+                let cell = job.prepare(self.fixtures)?;
+                let draw = |_, seed| {
+                    let curves = Arc::clone(&cell.curves);
+                    cell.draw(seed).map(|sampled| Drawn { sampled, curves })
+                };
+                trial::run(job, seed, algorithms, &draw, &goes_on)
+            }
         }
     }
 }

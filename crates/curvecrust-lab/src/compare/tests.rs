@@ -191,3 +191,34 @@ fn local_feature_sizes_vary_as_the_manifest_says() {
     println!("spiral: lfs from {least} to {most} extents");
     assert!(least < 0.03 && most < 1.1 * least);
 }
+
+/// Files of outlines are series, and their lines are trials.
+#[test]
+fn outlines_take_part_when_files_are_given() {
+    let [files, folder] = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let ring = |count: i32| -> Vec<[f64; 2]> {
+        let turn = |i| f64::from(i) * std::f64::consts::TAU / f64::from(count);
+        (0..count).map(|i| [turn(i).cos(), turn(i).sin()]).collect()
+    };
+    let line = |name: &str, count| serde_json::json!({"name": name, "rings": [ring(count)]});
+    let text = format!("{}\n{}\n", line("twelve", 12), line("thirty", 30));
+    fs::write(files.path().join("circles.ndjson"), text).unwrap();
+    let without = options(folder.path(), &["outlines"], 5);
+    let error = run(&without, &AtomicBool::new(false)).err().unwrap();
+    assert!(error.to_string().contains("--outlines"), "{error}");
+    let given = Options {
+        outlines: Some(files.path().to_owned()),
+        ..without
+    };
+    let rows: Vec<Row> = records::read(&run_whole(&given)).unwrap();
+    let crust = rows.iter().filter(|row| row.algorithm == "crust");
+    let crust: Vec<_> = crust.map(|row| (&*row.series, row.points)).collect();
+    assert_eq!(crust, [("outlines/circles", 12), ("outlines/circles", 30)]);
+    let exact = metrics().position(|metric| metric.name == "exact").unwrap();
+    let is_exact = |row: &Row| row.values[exact].is_some_and(|value| value.lower > 0.5);
+    assert!(
+        rows.iter()
+            .filter(|row| row.algorithm == "hnn-crust")
+            .all(is_exact)
+    );
+}

@@ -1,13 +1,14 @@
 //! One cell run: every trial by every algorithm, as rows and their times.
 
 use super::algorithms;
-use super::cell::{Fixtures, Job, Sampled};
+use super::cell::{Job, Sampled};
 use super::seed::seed_of;
 use super::true_curves::TrueCurves;
 use crate::compare::rows::{Row, Timing};
 use curvecrust::evaluate::{Bounds, Evaluation, Kind, Output, Truth};
 use curvecrust::geometry::EdgeSet;
 use curvecrust::reconstruct::Reconstructor;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// How far apart the bounds of distances are, in extents.
@@ -20,15 +21,21 @@ pub(super) struct Done {
     pub(super) times: Vec<Timing>,
 }
 
-/// Runs a cell; `None` if it was stopped.
+/// The points of a trial, and the curves that they are of.
+pub(super) struct Drawn {
+    pub(super) sampled: Sampled,
+    pub(super) curves: Arc<TrueCurves>,
+}
+
+/// Runs a cell, whose points are drawn by the number of the trial and its seed; `None` if it was
+/// stopped.
 pub(super) fn run(
     job: &Job,
     seed: u64,
     algorithms: &[String],
-    fixtures: &Fixtures,
+    draw: &dyn Fn(u32, u64) -> anyhow::Result<Drawn>,
     goes_on: &dyn Fn() -> bool,
 ) -> anyhow::Result<Option<Done>> {
-    let cell = job.prepare(fixtures)?;
     let algorithms = algorithms.iter().map(|name| algorithms::named(name));
     let algorithms: Vec<_> = algorithms.collect::<anyhow::Result<_>>()?;
     let series = job.series();
@@ -38,7 +45,7 @@ pub(super) fn run(
             return Ok(None);
         }
         let seed = seed_of(seed, &job.experiment.name, &series, job.x, trial);
-        let drawn = cell.draw(seed);
+        let drawn = draw(trial, seed);
         let mut known: Vec<(EdgeSet, Vec<Option<Bounds>>)> = Vec::new();
         for algorithm in &algorithms {
             let name = algorithm.info().name;
@@ -55,14 +62,14 @@ pub(super) fn run(
                 version: env!("CARGO_PKG_VERSION").to_owned(),
             };
             match &drawn {
-                Ok(sampled) => {
+                Ok(Drawn { sampled, curves }) => {
                     row.points = sampled.points.len();
                     let start = Instant::now();
                     let edges = reconstructed(*algorithm, sampled);
                     let seconds = start.elapsed().as_secs_f64();
                     match edges {
                         Ok(edges) => {
-                            row.values = values(sampled, &cell.curves, edges, &mut known);
+                            row.values = values(sampled, curves, edges, &mut known);
                             done.times.push(timing(&row, seconds));
                         }
                         Err(error) => row.error = Some(error.to_string()),

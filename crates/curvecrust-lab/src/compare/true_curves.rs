@@ -79,7 +79,8 @@ impl TrueCurves {
         })
     }
 
-    fn polygonal(parts: Vec<(Vec<DVec2>, bool)>) -> Self {
+    /// Polygons and open polylines, and whether each is closed.
+    pub(super) fn polygonal(parts: Vec<(Vec<DVec2>, bool)>) -> Self {
         let part = |(points, closed)| Part {
             points,
             closed,
@@ -197,7 +198,7 @@ fn parts(measured: &MeasuredCurve) -> Vec<Part> {
 }
 
 /// Points from `a` on, without `b`.
-fn straight(a: DVec2, b: DVec2, step: f64) -> impl Iterator<Item = DVec2> {
+pub(super) fn straight(a: DVec2, b: DVec2, step: f64) -> impl Iterator<Item = DVec2> {
     let steps = (a.distance(b) / step).ceil().max(1.0);
     let count = std::iter::successors(Some(0.0), |k| Some(k + 1.0));
     count
