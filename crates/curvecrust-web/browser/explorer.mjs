@@ -9,7 +9,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join } from "node:path";
 import { bend, bending, keysOfDrawing, links, nodes, touch } from "./drawing.mjs";
-import { figureOf3 } from "./figures.mjs";
+import { figure8, figureOf3 } from "./figures.mjs";
 import { drop, settle, text } from "./page.mjs";
 import { dragging, keys } from "./points.mjs";
 
@@ -214,6 +214,7 @@ const took = await times(page);
 await page.click("#tab-learn");
 await settle(page);
 await figureOf3(page);
+await figure8(page);
 await page.click("#tab-reconstruct");
 const before = (await text(page, "#caption-a")).replace(/, [\d.]+ ms/, "");
 await page.click("#share");

@@ -4,6 +4,7 @@ import { Lane } from "./engine.js";
 import { circle, draggable, section } from "./figure.js";
 import { half, nearest } from "./neighbours.js";
 import { boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
+import { rollingBalls } from "./rolling.js";
 import { polygon } from "./sample.js";
 
 export { redrawFigures as enter } from "./figure.js";
@@ -14,7 +15,7 @@ export function start({ curves }) {
   conditions(svg("bunny"));
   neighbours();
   angles();
-  balls(svg("teaser"));
+  rollingBalls();
   unique();
 }
 
@@ -190,47 +191,6 @@ function zigzag(degrees) {
     for (let i = 1; i <= 3; i++) points.push(side * (3 * across + 0.9 * i), along - 0.5 * i);
   }
   return points;
-}
-
-async function balls(svg) {
-  const { plot, slider, note } = section(
-    "5. Rolling balls",
-    [
-      "Two balls touch the curve at a point, one on each side. As long as their radius is at most the lfs there, no other part of the curve is inside.",
-      "The proof of the paper rolls them along: what they sweep holds no sample that could be taken for the half neighbour.",
-    ],
-    { label: "Place on the curve", min: 0, max: 999, value: 200 },
-  );
-  const curve = await new Lane().curve({ curve: { svg } });
-  plot.box = curve.box;
-  const count = curve.dense.length / 2;
-  const at = () => Math.min(count - 2, Math.floor((slider.value / 1000) * count));
-  const place = (i) => [curve.dense[2 * i], curve.dense[2 * i + 1]];
-  plot.show((g, picture, colour) => {
-    paintCurve(g, picture, colour, curve);
-    const [[x, y], [x1, y1]] = [place(at()), place(at() + 1)];
-    const length = Math.hypot(x1 - x, y1 - y) || 1;
-    const radius = curve.lfs[at()];
-    for (const side of [radius, -radius]) {
-      const centre = [x - (side * (y1 - y)) / length, y + (side * (x1 - x)) / length];
-      circle(g, picture, ...centre, radius, colour("accent"));
-    }
-    g.fillStyle = colour("differs");
-    fillPoints(g, picture, [x, y], 5);
-  });
-  plot.listen({
-    move: (px, py, pressed) => {
-      const found = pressed ? plot.nearest(curve.dense, px, py, 60) : -1;
-      if (found >= 0) slider.value = (1000 * found) / count;
-      if (found >= 0) tell();
-    },
-  });
-  const tell = () => {
-    note.textContent = "Move the slider, or drag along the curve.";
-    plot.redraw();
-  };
-  slider.addEventListener("input", tell);
-  tell();
 }
 
 function unique() {
