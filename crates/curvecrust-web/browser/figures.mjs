@@ -9,6 +9,8 @@ const part = (page, number) => page.locator("#learn section").nth(number - 1);
 export async function figureOf3(page) {
   const section = part(page, 3);
   const words = () => section.locator(".readout");
+  const focusable = await page.locator("#learn canvas[tabindex='0']").count();
+  assert.equal(focusable, 2, "what keys do nothing in is no stop of Tab");
   await section.locator("canvas").focus();
   await press(page, ".");
   await reads(words(), /^Point s, 1 of 7, at 50.00, 50.00/);

@@ -25,7 +25,7 @@ export function section(title, words, range) {
   }
   text.append(note);
   const figure = document.createElement("figure");
-  const canvas = Object.assign(document.createElement("canvas"), { tabIndex: 0 });
+  const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", title);
   figure.append(canvas);
@@ -87,6 +87,7 @@ export function draggable(plot, { places, put, tell }) {
       return by !== undefined || key === "Escape";
     },
   });
+  plot.canvas.tabIndex = 0;
   plot.canvas.setAttribute("role", "application");
   describe(plot.canvas);
   return {
