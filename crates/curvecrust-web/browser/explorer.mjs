@@ -8,6 +8,10 @@ import { brotliCompressSync } from "node:zlib";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join } from "node:path";
+import { bend, bending, keysOfDrawing, links, nodes, touch } from "./drawing.mjs";
+import { figure8, figureOf3 } from "./figures.mjs";
+import { drop, settle, text } from "./page.mjs";
+import { dragging, keys } from "./points.mjs";
 
 const [folder, expectedFile, pictures] = process.argv.slice(2);
 const { chromium } = createRequire(join(process.env.PLAYWRIGHT, "x.js"))("playwright-core");
@@ -53,18 +57,6 @@ async function open(options = {}, fragment = "") {
   return { page, milliseconds };
 }
 
-const text = (page, selector) => page.locator(selector).textContent();
-const settle = (page) => page.waitForTimeout(300);
-
-async function drop(page, name, content) {
-  await page.evaluate(([file, body]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([body], file));
-    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, [name, content]);
-  await settle(page);
-}
-
 async function formats(page) {
   await page.click("#tab-reconstruct");
   const circle = (x, y) => `<circle cx="${x}" cy="${y}" r="1"/>`;
@@ -93,42 +85,6 @@ async function clicks(page) {
   assert.match(await text(page, "#reason"), /Edge .* by least-detour/);
   await page.click("[data-change=undo]");
   await settle(page);
-}
-
-/** Takes a point by keys, moves it, and leaves it. */
-async function keys(page) {
-  await page.click("[data-change=clear]");
-  await drop(page, "a.csv", "x,y\n0,0\n10,0\n5,8\n");
-  await page.check("[name=tool][value=move]");
-  const spot = async () => JSON.parse(atob(await linkOf(page))).reconstruct.points;
-  const before = await spot();
-  await page.focus("#canvas-a");
-  // From the middle of the picture up to the third point, in steps of 12 pixels.
-  const [width, height] = await page.evaluate(() => {
-    const canvas = document.getElementById("canvas-a");
-    return [canvas.clientWidth, canvas.clientHeight];
-  });
-  const steps = Math.round((4 * Math.min((width - 52) / 10, (height - 52) / 8)) / 12);
-  for (let i = 0; i < steps; i++) await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("Enter");
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Enter");
-  await page.keyboard.press("ArrowRight");
-  await settle(page);
-  const after = await spot();
-  const moved = before.map((value, i) => value !== after[i]);
-  assert.deepEqual(moved.slice(0, 4), [false, false, false, false], "one point moves alone");
-  assert.ok(moved[4] && after[4] > before[4], `${before} / ${after}`);
-  await page.check("[name=tool][value=add]");
-  await page.click("[data-change=clear]");
-  await drop(page, "a.csv", "x,y\n0,0\n1,1\n1,0\n0,1\n");
-}
-
-/** The state in the link, as text in base 64. */
-async function linkOf(page) {
-  await page.click("#share");
-  const hash = await page.evaluate(() => location.hash.slice(1));
-  return hash.replaceAll("-", "+").replaceAll("_", "/");
 }
 
 async function saves(page) {
@@ -161,21 +117,12 @@ async function samples(page) {
   assert.match(await text(page, "#sample-caption"), /least-detour returns it exactly, 4 corners/);
 }
 
-async function drawing(page) {
-  await page.click("#draw");
-  for (const [x, y] of [[60, 60], [260, 80], [240, 240], [80, 220]]) {
-    await page.click("#canvas-sample", { position: { x, y } });
-    await settle(page);
-  }
-  assert.match(await text(page, "#sample-caption"), /^\d+ samples/);
-}
-
 /** Edges and samples in the browser against those of the native library. */
 async function agreement(page) {
   const found = await page.evaluate(async () => {
     const { Lane } = await import("./engine.js");
     const { curves, points } = await import("./fixtures.js");
-    const { ALGORITHMS } = await import("./reconstruct.js");
+    const { ALGORITHMS } = await import("./algorithms.js");
     const lane = new Lane();
     const result = { edges: {}, samples: {} };
     for (const { name, points: list } of points) {
@@ -229,17 +176,25 @@ async function screenshots() {
     for (const colorScheme of ["light", "dark"]) {
       const options = { viewport: { width, height: 900 }, colorScheme, reducedMotion: "reduce" };
       const { page } = await open(options);
+      const shoot = (name) => screenshot(page, `${name}-${width}-${colorScheme}.png`);
       for (const view of ["reconstruct", "sample", "learn"]) {
         await page.click(`#tab-${view}`);
-        await page.waitForTimeout(700);
-        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-        assert.ok(overflow <= 0, `${view} at ${width}: ${overflow} too wide`);
-        const path = join(pictures, `${view}-${width}-${colorScheme}.png`);
-        await page.screenshot({ path, fullPage: true });
+        await shoot(view);
       }
+      await page.click("#tab-sample");
+      await bend(page);
+      await shoot("drawing");
       await page.close();
     }
   }
+}
+
+/** The whole page as a picture, which must not be too wide. */
+async function screenshot(page, file) {
+  await page.waitForTimeout(700);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(overflow <= 0, `${file}: ${overflow} too wide`);
+  await page.screenshot({ path: join(pictures, file), fullPage: true });
 }
 
 const { page, milliseconds } = await open({ viewport: { width: 1200, height: 900 } });
@@ -248,13 +203,18 @@ requests = [];
 await formats(page);
 await clicks(page);
 await keys(page);
+await dragging(page);
 await saves(page);
 await samples(page);
-await drawing(page);
+await nodes(page);
+await bending(page);
+await keysOfDrawing(page);
 await agreement(page);
 const took = await times(page);
 await page.click("#tab-learn");
 await settle(page);
+await figureOf3(page);
+await figure8(page);
 await page.click("#tab-reconstruct");
 const before = (await text(page, "#caption-a")).replace(/, [\d.]+ ms/, "");
 await page.click("#share");
@@ -263,6 +223,8 @@ assert.deepEqual(requests, [], "the page asks for nothing after it has loaded");
 const linked = await open({}, new URL(page.url()).hash);
 await settle(linked.page);
 assert.equal((await text(linked.page, "#caption-a")).replace(/, [\d.]+ ms/, ""), before);
+await links(open);
+await touch(open);
 await screenshots();
 assert.deepEqual(problems, []);
 const size = brotliCompressSync(await readFile(join(folder, "curvecrust.wasm"))).length;

@@ -1,15 +1,13 @@
 // The guided page: six steps, each with a figure that can be moved.
 
 import { Lane } from "./engine.js";
-import { Plot, boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
+import { circle, draggable, section } from "./figure.js";
 import { half, nearest } from "./neighbours.js";
+import { boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
+import { rollingBalls } from "./rolling.js";
 import { polygon } from "./sample.js";
 
-const plots = [];
-
-export function enter() {
-  for (const plot of plots) plot.redraw();
-}
+export { redrawFigures as enter } from "./figure.js";
 
 export function start({ curves }) {
   const svg = (name) => (curves.find((curve) => curve.name === name) ?? curves[0]).svg;
@@ -17,43 +15,8 @@ export function start({ curves }) {
   conditions(svg("bunny"));
   neighbours();
   angles();
-  balls(svg("teaser"));
+  rollingBalls();
   unique();
-}
-
-/** A section with its words, a figure, and a slider if there is a range for one. */
-function section(title, words, range) {
-  const part = document.createElement("section");
-  const text = document.createElement("div");
-  const heading = Object.assign(document.createElement("h2"), { textContent: title });
-  text.append(heading, ...words.map((line) => Object.assign(document.createElement("p"), { textContent: line })));
-  const note = Object.assign(document.createElement("p"), { className: "readout" });
-  note.setAttribute("aria-live", "polite");
-  let slider = null;
-  if (range) {
-    slider = Object.assign(document.createElement("input"), { type: "range", ...range });
-    slider.setAttribute("aria-label", range.label);
-    text.append(slider);
-  }
-  text.append(note);
-  const figure = document.createElement("figure");
-  const canvas = Object.assign(document.createElement("canvas"), { tabIndex: 0 });
-  canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", title);
-  figure.append(canvas);
-  part.append(text, figure);
-  document.getElementById("learn").append(part);
-  const plot = new Plot(canvas);
-  plots.push(plot);
-  return { plot, slider, note };
-}
-
-function circle(g, plot, x, y, radius, colour) {
-  g.strokeStyle = colour;
-  g.lineWidth = 1.5;
-  g.beginPath();
-  g.arc(plot.x(x), plot.y(y), radius * plot.scale, 0, 2 * Math.PI);
-  g.stroke();
 }
 
 function paintCurve(g, plot, colour, curve) {
@@ -130,22 +93,6 @@ async function conditions(svg) {
   update();
 }
 
-/** Lets points be dragged, by pointer or by keys. */
-function draggable(plot, points, changed) {
-  let held = -1;
-  plot.listen({
-    down: (x, y) => (held = held >= 0 ? -1 : plot.nearest(points, x, y, 24)),
-    move: (x, y, pressed) => {
-      if (held < 0 || (!pressed && !plot.cursor)) return;
-      [points[2 * held], points[2 * held + 1]] = plot.at(x, y);
-      changed();
-    },
-    up: () => {
-      if (!plot.cursor) held = -1;
-    },
-  });
-}
-
 function neighbours() {
   const { plot, note } = section("3. Nearest and half neighbour", [
     "HNN-Crust joins each sample s to its nearest neighbour n. Then it looks at the half plane beyond the bisector of s and n, which holds all that is nearer to s.",
@@ -169,13 +116,18 @@ function neighbours() {
     for (const [name, v] of [["s", 0], ["n", n], ["h", h]]) {
       if (v >= 0) g.fillText(name, place.x(points[2 * v]) + 9, place.y(points[2 * v + 1]) - 9);
     }
+    drag.paint(g, place, colour);
   });
   const tell = () => {
-    const h = half(points, 0, nearest(points, 0));
-    note.textContent = h < 0 ? "No sample is nearer to s than to n: s has no half neighbour." : "";
+    const n = nearest(points, 0);
+    const h = half(points, 0, n);
+    const names = (v) => ({ 0: "s, ", [n]: "n, ", [h]: "h, " })[v] ?? "";
+    const other = h < 0 ? " No sample is nearer to s than to n: s has no half neighbour." : "";
+    note.textContent = drag.words((v) => `Point ${names(v)}${v + 1} of ${points.length / 2}`) + other;
     plot.redraw();
   };
-  draggable(plot, points, tell);
+  const put = (v, place) => points.splice(2 * v, 2, ...place);
+  const drag = draggable(plot, { places: () => points, put, tell });
   tell();
 }
 
@@ -241,47 +193,6 @@ function zigzag(degrees) {
   return points;
 }
 
-async function balls(svg) {
-  const { plot, slider, note } = section(
-    "5. Rolling balls",
-    [
-      "Two balls touch the curve at a point, one on each side. As long as their radius is at most the lfs there, no other part of the curve is inside.",
-      "The proof of the paper rolls them along: what they sweep holds no sample that could be taken for the half neighbour.",
-    ],
-    { label: "Place on the curve", min: 0, max: 999, value: 200 },
-  );
-  const curve = await new Lane().curve({ curve: { svg } });
-  plot.box = curve.box;
-  const count = curve.dense.length / 2;
-  const at = () => Math.min(count - 2, Math.floor((slider.value / 1000) * count));
-  const place = (i) => [curve.dense[2 * i], curve.dense[2 * i + 1]];
-  plot.show((g, picture, colour) => {
-    paintCurve(g, picture, colour, curve);
-    const [[x, y], [x1, y1]] = [place(at()), place(at() + 1)];
-    const length = Math.hypot(x1 - x, y1 - y) || 1;
-    const radius = curve.lfs[at()];
-    for (const side of [radius, -radius]) {
-      const centre = [x - (side * (y1 - y)) / length, y + (side * (x1 - x)) / length];
-      circle(g, picture, ...centre, radius, colour("accent"));
-    }
-    g.fillStyle = colour("differs");
-    fillPoints(g, picture, [x, y], 5);
-  });
-  plot.listen({
-    move: (px, py, pressed) => {
-      const found = pressed ? plot.nearest(curve.dense, px, py, 60) : -1;
-      if (found >= 0) slider.value = (1000 * found) / count;
-      if (found >= 0) tell();
-    },
-  });
-  const tell = () => {
-    note.textContent = "Move the slider, or drag along the curve.";
-    plot.redraw();
-  };
-  slider.addEventListener("input", tell);
-  tell();
-}
-
 function unique() {
   const { plot, slider, note } = section(
     "6. Where the answer stops being unique",
@@ -310,7 +221,8 @@ function unique() {
     plot.box = boxOf(points);
     const margins = Array.from(answer.margins).filter(Number.isFinite);
     const margin = margins.length ? Math.min(...margins).toFixed(2) : "none needed: all are certified";
-    note.textContent = `${answer.lengths.length} curves; smallest margin, at most: ${margin}.`;
+    const count = answer.lengths.length;
+    note.textContent = `${count} ${count === 1 ? "curve" : "curves"}; smallest margin, at most: ${margin}.`;
     plot.redraw();
   };
   slider.addEventListener("input", update);

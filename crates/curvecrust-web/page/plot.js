@@ -21,6 +21,8 @@ export function boxOf(points) {
 export class Plot {
   #paint = () => {};
   #waits = false;
+  #holds = () => null;
+  /** The pixel of the cross that keys move; null while a pointer is used. */
   cursor = null;
 
   constructor(canvas) {
@@ -57,7 +59,7 @@ export class Plot {
     g.lineJoin = g.lineCap = "round";
     this.#place(width, height);
     this.#paint(g, this, colours());
-    if (this.cursor && document.activeElement === this.canvas) this.#cross(g);
+    if (this.cursor && !this.#holds() && document.activeElement === this.canvas) this.#cross(g);
   }
 
   #place(width, height) {
@@ -87,7 +89,7 @@ export class Plot {
   }
 
   /** The index of the point nearest to a pixel, at most `within` pixels away; -1 if there is none. */
-  nearest(points, px, py, within = 14) {
+  nearest(points, px, py, within = NEAR) {
     let [best, found] = [within * within, -1];
     for (let i = 0; 2 * i < points.length; i++) {
       const [dx, dy] = [this.x(points[2 * i]) - px, this.y(points[2 * i + 1]) - py];
@@ -109,45 +111,71 @@ export class Plot {
   }
 
   /**
-   * Calls `down`, `move` and `up` with pixels, from a pointer or from keys; `key` for others. Where
-   * `holds` says that something was taken, keys move it until Enter comes again.
+   * Calls `down`, `move` and `up` with pixels, from a pointer or from keys, and `key` for other keys.
+   * `down` also gets how many pixels away a point still counts as meant. `holds` gives the place of
+   * the point that arrows move, or null: then they move the cross. `leave` lets go of that point.
    */
-  listen({ down = () => {}, move = () => {}, up = () => {}, key = () => {}, holds = () => false }) {
-    let held = false;
+  listen({ down = ignore, move = ignore, up = ignore, key = ignore, holds = () => null, leave = ignore }) {
+    this.#holds = holds;
     const at = (event) => {
       const box = this.canvas.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
-    this.canvas.addEventListener("pointerdown", (event) => {
+    const on = (name, act) => this.canvas.addEventListener(name, (event) => event.isPrimary && act(event));
+    on("pointerdown", (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       this.cursor = null;
-      held = false;
-      down(...at(event));
+      down(...at(event), event.pointerType === "touch" ? FINGER : NEAR);
     });
-    this.canvas.addEventListener("pointermove", (event) => move(...at(event), event.buttons > 0));
-    this.canvas.addEventListener("pointerup", (event) => up(...at(event)));
-    this.canvas.addEventListener("blur", () => this.redraw());
+    on("pointermove", (event) => move(...at(event), event.buttons > 0));
+    on("pointerup", () => up());
+    on("pointercancel", () => up());
+    for (const name of ["focus", "blur"]) this.canvas.addEventListener(name, () => this.redraw());
     this.canvas.addEventListener("keydown", (event) => {
-      const step = event.shiftKey ? 2 : 12;
-      const [dx, dy] = ARROWS[event.key] ?? [0, 0];
-      if (dx || dy) {
-        this.cursor ??= [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2];
-        this.cursor = [this.cursor[0] + step * dx, this.cursor[1] + step * dy];
-        move(...this.cursor, held);
-      } else if (event.key === "Enter" || event.key === " ") {
-        this.cursor ??= [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2];
-        if (!held) down(...this.cursor);
-        held = !held && holds();
-        if (!held) up(...this.cursor);
-      } else if (!key(event.key)) {
-        return;
-      }
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (!this.#press(event, { down, move, up, key, leave })) return;
       event.preventDefault();
       this.redraw();
     });
   }
+
+  /** What a key does; whether it does something. */
+  #press(event, { down, move, up, key, leave }) {
+    const place = this.#holds();
+    if (place) this.cursor = [this.x(place[0]), this.y(place[1])];
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      const step = event.shiftKey ? LONG_STEP : STEP;
+      const to = this.cross().map((v, k) => v + step * arrow[k]);
+      const { clientWidth, clientHeight } = this.canvas;
+      // The cross stays in the picture; a point may leave it.
+      this.cursor = place ? to : to.map((v, k) => Math.min(Math.max(v, 0), k ? clientHeight : clientWidth));
+      move(...this.cursor, place !== null);
+    } else if (place && ["Enter", " ", "Escape"].includes(event.key)) {
+      leave();
+    } else if (event.key === "Enter" || event.key === " ") {
+      this.cursor = this.cross();
+      down(...this.cursor, NEAR);
+      up();
+    } else {
+      return key(event.key) === true;
+    }
+    return true;
+  }
+
+  /** The pixel of the cross, which is in the middle at first. */
+  cross() {
+    return this.cursor ?? [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2];
+  }
 }
 
+const ignore = () => {};
+/** How many pixels away from a point a mouse and a finger still mean it. */
+const NEAR = 14;
+const FINGER = 24;
+/** How many pixels an arrow goes, and with Shift. */
+const STEP = 3;
+const LONG_STEP = 24;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /** Strokes pairs of places, each a segment: x, y, x, y. */
@@ -180,4 +208,21 @@ export function fillPoints(g, plot, points, radius) {
     g.arc(x, y, radius, 0, 2 * Math.PI);
   }
   g.fill();
+}
+
+/** Rings a point that is selected. */
+export function ring(g, plot, colour, x, y) {
+  g.strokeStyle = colour("accent");
+  g.lineWidth = 2.5;
+  g.beginPath();
+  g.arc(plot.x(x), plot.y(y), 9, 0, 2 * Math.PI);
+  g.stroke();
+}
+
+/** The distance of a place to a segment, and the share of it at which it is nearest. */
+export function toSegment(x, y, [ax, ay], [bx, by]) {
+  const [dx, dy] = [bx - ax, by - ay];
+  const t = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1);
+  const share = Math.min(1, Math.max(0, t));
+  return [Math.hypot(x - ax - share * dx, y - ay - share * dy), share];
 }

@@ -1,7 +1,9 @@
 // The view that joins points: two algorithms beside each other.
 
+import { ALGORITHMS } from "./algorithms.js";
 import { Lane } from "./engine.js";
-import { Plot, boxOf, fillPoints, strokeEdges } from "./plot.js";
+import { Plot, boxOf, fillPoints, ring, strokeEdges, toSegment } from "./plot.js";
+import { whyEdge, whyEnd } from "./reasons.js";
 import { save } from "./save.js";
 
 const get = (id) => document.getElementById(id);
@@ -9,11 +11,17 @@ const sides = ["a", "b"].map((side) => ({ side, lane: new Lane(), answer: null, 
 /** With more points than this, edges come without reasons, which take longer. */
 const EXPLAINED = 20_000;
 const UNDONE = 50;
+/** How many pixels beside the point that is held a key adds one. */
+const BESIDE = 24;
 
 let points = [];
 let up = true;
 let past = [];
-let dragged = -1;
+/** The point that is selected, -1 for none; whether a pointer drags it, or arrows move it. */
+let selected = -1;
+let held = false;
+/** Whether what moves is remembered already. */
+let moved = false;
 let marked = null;
 let attempt = null;
 
@@ -25,6 +33,7 @@ export function state() {
 /** Takes other points, and fits the pictures to them. */
 export function setPoints(others, turned = up) {
   remember();
+  select(-1);
   points = others;
   up = turned;
   fit();
@@ -86,33 +95,6 @@ async function fillSelects(fixtures) {
   get("algorithm-b").value = "crust";
 }
 
-/** As the library lists them; a test of the page compares. */
-export const ALGORITHMS = [
-  "least-detour",
-  "hnn-crust",
-  "hnn-crust-union",
-  "nn-crust",
-  "crust",
-  "one-step-crust",
-  "beta-skeleton",
-  "gabriel",
-  "normalised-mesh",
-  "alpha-shape",
-  "sphere-of-influence",
-  "spanning-tree",
-  "conservative-crust",
-  "gathan-like",
-  "gathan-g-like",
-  "lenz-like",
-  "discur",
-  "vicur-like",
-  "crawl",
-  "peel",
-  "connect2d",
-  "sig-connect2d",
-  "shortest-tour",
-];
-
 function remember() {
   past.push({ points, up });
   past = past.slice(-UNDONE);
@@ -122,17 +104,20 @@ function fit() {
   for (const { plot } of sides) {
     plot.box = boxOf(points);
     plot.up = up;
+    plot.cursor = null;
   }
 }
 
 /** Asks for both sides anew. */
 async function update() {
   marked = null;
+  const asked = points;
   const sent = Float64Array.from(points);
-  await Promise.all(sides.map((side) => attempt(() => ask(side, sent))));
+  await Promise.all(sides.map((side) => attempt(() => ask(side, asked, sent))));
 }
 
-async function ask(side, sent) {
+/** `sent` holds the points that are asked about; others may be shown when the answer comes. */
+async function ask(side, asked, sent) {
   const request = { algorithm: get(`algorithm-${side.side}`).value };
   if (get("shape").value) request.shape = get("shape").value;
   if (Number(get("curves").value) >= 1) request.curves = Math.floor(Number(get("curves").value));
@@ -148,7 +133,7 @@ async function ask(side, sent) {
     const answer = await side.lane.ask({ reconstruct: request }, sent);
     if (!answer) return;
     side.answer = answer;
-    side.points = points;
+    side.points = asked;
     const left = unused ? "; it cannot use what you know" : "";
     caption.textContent = summary(request.algorithm, answer) + left;
   } catch (error) {
@@ -201,11 +186,11 @@ function listenTo(side) {
   side.plot = new Plot(canvas);
   side.plot.show((g, plot, colour) => paint(g, plot, colour, side));
   side.plot.listen({
-    down: (x, y) => press(side.plot, x, y),
-    move: (x, y, pressed) => (pressed && dragged >= 0 ? drag(side.plot, x, y) : hover(side, x, y)),
-    up: () => (dragged = -1),
-    holds: () => dragged >= 0,
-    key: (key) => step(side, { n: 1, N: 1, p: -1, P: -1 }[key]),
+    down: (x, y, within) => press(side.plot, x, y, within),
+    move: (x, y, pressed) => (pressed && held ? drag(side.plot, x, y) : hover(side, x, y)),
+    holds: () => (held ? points.slice(2 * selected, 2 * selected + 2) : null),
+    leave: () => select(selected),
+    key: (key) => pressKey(side, key.toLowerCase()),
   });
 }
 
@@ -219,7 +204,7 @@ function paint(g, plot, colour, side) {
   g.setLineDash([6, 5]);
   strokeEdges(g, plot, points, edges.length ? side.differing : []);
   g.setLineDash([]);
-  if (marked?.side === side && marked.edge >= 0) {
+  if (marked?.side === side && marked.edge >= 0 && edges.length) {
     g.lineWidth = 6;
     g.strokeStyle = colour("accent");
     strokeEdges(g, plot, points, edges.subarray(2 * marked.edge, 2 * marked.edge + 2));
@@ -227,6 +212,7 @@ function paint(g, plot, colour, side) {
   g.fillStyle = colour("point");
   fillPoints(g, plot, points, many ? 1.2 : 3.4);
   if (edges.length) rings(g, plot, colour, side.answer.leaves);
+  if (selected >= 0) ring(g, plot, colour, points[2 * selected], points[2 * selected + 1]);
 }
 
 function rings(g, plot, colour, ends) {
@@ -239,23 +225,59 @@ function rings(g, plot, colour, ends) {
   }
 }
 
-function press(plot, x, y) {
+function press(plot, x, y, within) {
   const tool = document.querySelector("[name=tool]:checked").value;
-  const nearest = plot.nearest(points, x, y);
-  if (tool !== "add" && nearest < 0) return;
+  const nearest = plot.nearest(points, x, y, within);
+  // Keys leave the cross free for the next point.
+  if (tool === "add") add(plot.at(x, y), plot.cursor === null);
+  else if (tool === "erase" && nearest >= 0) erase(nearest);
+  else select(nearest, nearest >= 0);
+}
+
+/** Selects a point, and says which; -1 for none. */
+function select(point, hold = false) {
+  selected = point;
+  held = hold;
+  moved = false;
+  tell(wordsOf(point));
+  for (const { plot } of sides) plot?.redraw();
+}
+
+const rounded = (v) => Number(v.toPrecision(4));
+
+function wordsOf(point) {
+  if (point < 0) return "";
+  const [x, y] = points.slice(2 * point, 2 * point + 2).map(rounded);
+  return `Point ${point} at ${x}, ${y}, one of ${points.length / 2}.`;
+}
+
+function add(place, hold) {
   remember();
-  points = points.slice();
-  if (tool === "add") points.push(...plot.at(x, y));
-  if (tool === "erase") points.splice(2 * nearest, 2);
-  if (tool === "move") dragged = nearest;
-  get("points-fixture").selectedIndex = 0;
-  for (const side of sides) if (tool === "erase") side.answer = null;
-  update();
+  points = [...points, ...place];
+  select(points.length / 2 - 1, hold);
+  moved = true;
+  changed();
+}
+
+function erase(point) {
+  remember();
+  points = points.toSpliced(2 * point, 2);
+  for (const side of sides) side.answer = null;
+  select(-1);
+  tell(`Point ${point} removed, ${points.length / 2} are left.`);
+  changed();
 }
 
 function drag(plot, x, y) {
-  points = points.slice();
-  [points[2 * dragged], points[2 * dragged + 1]] = plot.at(x, y);
+  if (!moved) remember();
+  moved = true;
+  points = points.toSpliced(2 * selected, 2, ...plot.at(x, y));
+  tell(wordsOf(selected));
+  changed();
+}
+
+function changed() {
+  get("points-fixture").selectedIndex = 0;
   update();
 }
 
@@ -268,65 +290,78 @@ function hover(side, x, y) {
   const { edges } = side.answer;
   if (edges.length > 40_000) return;
   for (let i = 0; i < edges.length; i += 2) {
-    const distance = toSegment(side.plot, x, y, edges[i], edges[i + 1]);
+    const [distance] = toSegment(x, y, pixel(side.plot, edges[i]), pixel(side.plot, edges[i + 1]));
     if (distance < best) [best, found] = [distance, i / 2];
   }
   mark(side, found, -1);
 }
 
-function toSegment(plot, x, y, a, b) {
-  const [ax, ay] = [plot.x(points[2 * a]), plot.y(points[2 * a + 1])];
-  const [bx, by] = [plot.x(points[2 * b]) - ax, plot.y(points[2 * b + 1]) - ay];
-  const t = ((x - ax) * bx + (y - ay) * by) / (bx * bx + by * by || 1);
-  const s = Math.min(1, Math.max(0, t));
-  return Math.hypot(x - ax - s * bx, y - ay - s * by);
+const pixel = (plot, v) => [plot.x(points[2 * v]), plot.y(points[2 * v + 1])];
+
+function pressKey(side, key) {
+  const act = {
+    n: () => stepEdge(side, 1),
+    p: () => stepEdge(side, -1),
+    ".": () => stepPoint(1),
+    ",": () => stepPoint(-1),
+    a: () => addByKey(side.plot),
+    delete: () => removeByKey(side.plot),
+    backspace: () => removeByKey(side.plot),
+    escape: () => select(-1),
+  }[key];
+  act?.();
+  return act !== undefined;
 }
 
-function step(side, by) {
+function stepEdge(side, by) {
   const count = (side.answer?.edges.length ?? 0) / 2;
-  if (!by || count === 0) return false;
+  if (count === 0) return;
   const from = marked?.side === side ? marked.edge : by > 0 ? -1 : 0;
   mark(side, (from + by + count) % count, -1);
-  return true;
 }
+
+function stepPoint(by) {
+  const count = points.length / 2;
+  if (count === 0) return;
+  const from = selected < 0 && by < 0 ? 0 : selected;
+  select((from + by + count) % count, true);
+}
+
+/** Adds a point at the cross; beside the point that is held, if one is. */
+function addByKey(plot) {
+  const [x, y] = plot.cross();
+  plot.cursor = [x, y];
+  add(plot.at(held ? x + BESIDE : x, y), held);
+}
+
+/** Removes the point that is selected, or the one at the cross; then the next one is selected. */
+function removeByKey(plot) {
+  const point = selected >= 0 ? selected : plot.nearest(points, ...plot.cross());
+  if (point < 0) return;
+  const [follows, hold] = [selected >= 0, held];
+  erase(point);
+  if (!follows || points.length === 0) return;
+  const words = get("reason").textContent;
+  select(Math.min(point, points.length / 2 - 1), hold);
+  tell(`${words} ${get("reason").textContent}`);
+}
+
+const tell = (words) => (get("reason").textContent = words);
 
 function mark(side, edge, end) {
   if (marked?.side === side && marked.edge === edge && marked.end === end) return;
   marked = { side, edge, end };
-  get("reason").textContent = edge >= 0 ? why(side, edge) : end >= 0 ? whyEnd(side, end) : "";
-  for (const { plot } of sides) plot.redraw();
-}
-
-const REASONS = {
-  certified: "certified: HNN-Crust finds it too, and nothing around it is open",
-  completed: "completed: the shortest that was left, and no exchange removed it",
-  exchanged: "exchanged: an exchange that lowered the cost added it",
-  required: "required by what you know",
-};
-
-function why(side, edge) {
-  const { edges, reasons, margins } = side.answer;
   const name = get(`algorithm-${side.side}`).value;
-  const start = `Edge ${edges[2 * edge]} – ${edges[2 * edge + 1]} by ${name}: `;
-  if (!reasons) return `${start}its definition is its reason.`;
-  const margin = Number.isFinite(margins[edge])
-    ? ` Without it the cost would rise by at most ${margins[edge].toFixed(2)}.`
-    : "";
-  return `${start}${REASONS[reasons[edge]] ?? reasons[edge]}.${margin}`;
-}
-
-function whyEnd(side, end) {
-  const at = side.answer.ends?.indexOf(end) ?? -1;
-  if (at < 0) return `Point ${end} is an open end.`;
-  const [partner, cost] = side.answer.rejected.subarray(2 * at, 2 * at + 2);
-  if (!Number.isFinite(partner)) return `Point ${end} is an open end: no other edge was possible.`;
-  return `Point ${end} is an open end: an edge to ${partner} was rejected, the cost would rise by ${cost.toFixed(2)}.`;
+  if (edge >= 0) tell(whyEdge(side.answer, edge, name));
+  else tell(end >= 0 ? whyEnd(side.answer, end) : "");
+  for (const { plot } of sides) plot.redraw();
 }
 
 function change(kind) {
   if (kind === "undo") {
     const before = past.pop();
     if (before) ({ points, up } = before);
+    select(-1);
     fit();
     update();
     return;

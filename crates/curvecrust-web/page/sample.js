@@ -1,8 +1,9 @@
 // The view that samples a curve under a condition.
 
 import { Lane } from "./engine.js";
-import { Plot, boxOf, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
-import { pathOf } from "./stroke.js";
+import { Drawing } from "./drawing.js";
+import { Plot, fillPoints, strokeEdges, strokeSegments } from "./plot.js";
+import { areStrokes, pathOf } from "./stroke.js";
 
 const get = (id) => document.getElementById(id);
 const lane = new Lane();
@@ -12,17 +13,18 @@ let plot = null;
 let curve = null;
 let samples = null;
 let source = null;
-let strokes = null;
-let dragged = null;
-/** Whether what is dragged was there before. */
-let grabbed = false;
+let drawing = null;
+/** Counts the curves that were left, so that a late answer does not bring one back. */
+let left = 0;
 let attempt = null;
 
 export function state() {
   const checked = document.querySelector("[name=condition]:checked").value;
   const values = Object.fromEntries(["rho", "epsilon", "limit"].map((id) => [id, get(id).value]));
-  return { source, strokes, closed: get("draw-closed").checked, condition: checked, ...values };
+  return { source, strokes: drawing.strokes, closed: isClosed(), condition: checked, ...values };
 }
+
+const isClosed = () => get("draw-closed").checked;
 
 export function enter() {
   plot?.redraw();
@@ -32,8 +34,8 @@ export async function start({ curves, attempt: doing, state: linked, toReconstru
   attempt = doing;
   plot = new Plot(get("canvas-sample"));
   plot.canvas.setAttribute("aria-label", "The curve, its samples and its medial axis");
+  drawing = new Drawing(plot, { isClosed, changed: () => attempt(redraw), tell });
   plot.show(paint);
-  plot.listen({ down: press, move: drag, up: () => (dragged = null), holds: () => grabbed });
   fillSelect(curves);
   for (const id of ["rho", "epsilon", "limit"]) get(id).addEventListener("input", () => slide(id));
   for (const input of document.querySelectorAll("[name=condition]")) {
@@ -66,7 +68,7 @@ async function restore(curves, linked) {
   const checked = linked?.condition === "epsilon" ? "epsilon" : "rho";
   document.querySelector(`[name=condition][value=${checked}]`).checked = true;
   const first = curves.find(({ name }) => name === "bunny") ?? curves[0];
-  if (Array.isArray(linked?.strokes)) {
+  if (areStrokes(linked?.strokes)) {
     get("draw-closed").checked = linked.closed !== false;
     draw(linked.strokes);
     await attempt(redraw);
@@ -79,25 +81,27 @@ async function restore(curves, linked) {
 
 /** Takes a drawing; one that is none leaves the one before it. */
 export async function open(name, svg) {
-  if (!(await take({ curve: { svg } }))) return;
-  source = { name, svg };
-  strokes = null;
-  get("draw").setAttribute("aria-pressed", "false");
-  get("curve-fixture").value = name;
-  if (get("curve-fixture").selectedIndex < 0) get("curve-fixture").value = "";
+  await take({ curve: { svg } }, () => {
+    source = { name, svg };
+    showDrawing(null);
+    get("curve-fixture").value = name;
+    if (get("curve-fixture").selectedIndex < 0) get("curve-fixture").value = "";
+  });
 }
 
-async function take(header) {
+/** Loads a curve; what is to be done with it comes before its samples are counted. */
+async function take(header, loadedIt = () => {}) {
+  const before = left;
   const loaded = await lane.curve(header);
-  if (!loaded) return false;
+  if (!loaded || left !== before) return;
   curve = loaded;
   samples = null;
   if (header.curve.svg) plot.box = loaded.box;
+  loadedIt();
   await update();
   const counting = await counter.curve(header);
   const counts = counting && (await counter.ask("counts"));
-  if (counts) showCounts(counts.counts);
-  return true;
+  if (counts && left === before) showCounts(counts.counts);
 }
 
 function showCounts(counts) {
@@ -134,8 +138,9 @@ async function update() {
   get("guarantee").classList.toggle("warn", bound > (condition === "rho" ? 0.888 : 0.47));
   if (!curve) return;
   await attempt(async () => {
+    const before = left;
     const answer = await lane.ask({ sample: { condition, bound, limit } });
-    if (!answer) return;
+    if (!answer || left !== before) return;
     samples = answer;
     get("sample-caption").textContent = caption(answer);
     plot.redraw();
@@ -171,64 +176,84 @@ function guarantee(condition, bound) {
 
 function listenToDrawing(curves) {
   get("draw").addEventListener("click", () => {
-    const on = get("draw").getAttribute("aria-pressed") !== "true";
-    if (on) draw([[]]);
-    else attempt(() => open(curves[0].name, curves[0].svg));
+    if (drawing.strokes === null) {
+      draw([[]]);
+    } else {
+      showDrawing(null);
+      attempt(() => open(curves[0].name, curves[0].svg));
+    }
   });
   get("draw-new").addEventListener("click", () => {
-    if (strokes) strokes.push([]);
+    if (drawing.strokes) drawing.addStroke();
     else draw([[]]);
   });
-  get("draw-closed").addEventListener("input", () => strokes && attempt(redraw));
+  get("draw-closed").addEventListener("input", () => drawing.strokes && drawing.reshape());
+  get("node-corner").addEventListener("input", (event) => drawing.makeCorner(event.target.checked));
+  get("node-add").addEventListener("click", () => drawing.addAfter());
+  get("node-remove").addEventListener("click", () => drawing.remove());
 }
 
 /** Begins to draw, with strokes that are there. */
 function draw(own) {
-  strokes = own;
   source = null;
-  curve = samples = null;
   get("curve-fixture").value = "";
-  get("draw").setAttribute("aria-pressed", "true");
-  get("sample-caption").textContent = "Click to add points, drag to move them.";
-  plot.box = strokes.flat().length ? boxOf(strokes.flat(2)) : [0, 0, 100, 100];
+  leave();
+  showDrawing(own);
+}
+
+/** Shows the strokes of the reader's own drawing; null if another one is shown. */
+function showDrawing(strokes) {
+  get("draw").setAttribute("aria-pressed", String(strokes !== null));
+  for (const id of ["node", "draw-hint"]) get(id).hidden = strokes === null;
+  plot.canvas.setAttribute("aria-describedby", strokes ? "draw-hint" : "sample-caption");
+  drawing.begin(strokes);
+}
+
+/** Leaves the curve, and waits for points enough of another. */
+function leave() {
+  left += 1;
+  clear("Click to add points, drag to move them.");
+}
+
+function clear(words) {
+  curve = samples = null;
+  get("counts").replaceChildren();
+  get("sample-caption").textContent = words;
   plot.redraw();
 }
 
-function press(x, y) {
-  grabbed = false;
-  if (!strokes) return;
-  for (const stroke of strokes) {
-    const found = plot.nearest(stroke.flat(), x, y);
-    if (found >= 0) {
-      dragged = stroke[found];
-      grabbed = true;
-      return;
-    }
-  }
-  dragged = plot.at(x, y);
-  strokes.at(-1).push(dragged);
-  attempt(redraw);
-}
-
-function drag(x, y, pressed) {
-  if (!pressed || !dragged) return;
-  [dragged[0], dragged[1]] = plot.at(x, y);
-  attempt(redraw);
+/** Says what is selected, and offers what can be done with it. */
+function tell(words) {
+  get("node-words").textContent = words || "No point is selected.";
+  get("node-corner").checked = drawing.isCorner();
+  for (const id of ["node-corner", "node-remove"]) get(id).disabled = drawing.selected === null;
+  get("node-add").disabled = !drawing.hasNext();
 }
 
 async function redraw() {
   plot.redraw();
-  const path = pathOf(strokes, get("draw-closed").checked);
-  if (path) await take({ curve: { path } });
+  const path = pathOf(drawing.strokes, isClosed());
+  if (!path) {
+    leave();
+    return;
+  }
+  try {
+    await take({ curve: { path } });
+  } catch (error) {
+    // The curve before it would hide what is drawn.
+    clear("No samples of this drawing.");
+    throw error;
+  }
 }
 
 function paint(g, place, colour) {
+  if (drawing.strokes) drawing.paintStrokes(g, place, colour);
   if (curve) paintCurve(g, place, colour);
-  if (strokes) {
-    g.fillStyle = colour("soft");
-    for (const stroke of strokes) fillPoints(g, place, stroke.flat(), 3);
-  }
-  if (!samples) return;
+  if (samples) paintSamples(g, place, colour);
+  if (drawing.strokes) drawing.paint(g, place, colour);
+}
+
+function paintSamples(g, place, colour) {
   g.lineWidth = 2;
   g.strokeStyle = colour("differs");
   if (get("show-polygon").checked) strokeEdges(g, place, samples.samples, polygon(samples));
