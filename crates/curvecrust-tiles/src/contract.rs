@@ -1,11 +1,12 @@
 //! From the edges of a tile to pieces of chains.
 
+use crate::ids::Ids;
 use crate::piece::Piece;
 
 /// The neighbours of the samples of a tile.
 struct Graph {
-    /// The ids, ascending; a sample's index is its position here.
-    ids: Vec<u64>,
+    /// A sample's index is its position here.
+    ids: Ids,
     /// Neighbours of the sample at index v: `to[first[v]..first[v + 1]]`.
     first: Vec<usize>,
     to: Vec<Neighbour>,
@@ -39,8 +40,8 @@ enum Neighbour {
 pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
     let graph = Graph::new(ids, edges);
     let mut found = Vec::new();
-    let mut is_inner = vec![false; graph.ids.len()];
-    let stops = (0..graph.ids.len()).filter(|&v| graph.is_stop(v));
+    let mut is_inner = vec![false; graph.len()];
+    let stops = (0..graph.len()).filter(|&v| graph.is_stop(v));
     for stop in stops {
         for &to in graph.of(stop) {
             match to {
@@ -58,7 +59,7 @@ pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
             }
         }
     }
-    for start in 0..graph.ids.len() {
+    for start in 0..graph.len() {
         if !is_inner[start]
             && !graph.is_stop(start)
             && let [Neighbour::Inside(second), _] = *graph.of(start)
@@ -77,10 +78,8 @@ pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
 
 impl Graph {
     fn new(ids: &[u64], edges: &[[u64; 2]]) -> Self {
-        let mut ids = ids.to_vec();
-        ids.sort_unstable();
-        ids.dedup();
-        let index = |id: &u64| ids.binary_search(id).ok();
+        let ids = Ids::new(ids.to_vec());
+        let index = |id: &u64| ids.position(*id);
         let mut pairs: Vec<(usize, u64)> = Vec::with_capacity(2 * edges.len());
         for [p, q] in edges {
             pairs.extend(index(p).map(|at| (at, *q)));
@@ -89,19 +88,28 @@ impl Graph {
         // Smaller neighbours come first.
         pairs.sort_unstable();
         pairs.dedup();
-        let mut first = vec![0; ids.len() + 1];
+        let mut first = vec![0; ids.as_slice().len() + 1];
         for &(at, _) in &pairs {
             first[at + 1] += 1;
         }
         for at in 1..first.len() {
             first[at] += first[at - 1];
         }
-        let neighbour = |(_, id): &(usize, u64)| match index(id) {
+        let neighbour = |(_, id): (usize, u64)| match index(&id) {
             Some(at) => Neighbour::Inside(at),
-            None => Neighbour::Outside(*id),
+            None => Neighbour::Outside(id),
         };
-        let to = pairs.iter().map(neighbour).collect();
+        let to = pairs.into_iter().map(neighbour).collect();
         Self { ids, first, to }
+    }
+
+    /// The number of samples.
+    fn len(&self) -> usize {
+        self.ids.as_slice().len()
+    }
+
+    fn id(&self, v: usize) -> u64 {
+        self.ids.as_slice()[v]
     }
 
     fn of(&self, v: usize) -> &[Neighbour] {
@@ -139,7 +147,7 @@ impl Graph {
     fn piece(&self, path: &[usize], closed: bool) -> Piece {
         let end = |at: Option<&usize>| at.and_then(|&at| self.link(at));
         Piece {
-            vertices: path.iter().map(|&at| self.ids[at]).collect(),
+            vertices: path.iter().map(|&at| self.id(at)).collect(),
             links: [end(path.first()), end(path.last())],
             closed,
         }
@@ -157,7 +165,7 @@ impl Graph {
             _ => [None, Some(link)],
         };
         Some(Piece {
-            vertices: vec![self.ids[v]],
+            vertices: vec![self.id(v)],
             links,
             closed: false,
         })

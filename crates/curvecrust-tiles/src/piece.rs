@@ -90,6 +90,13 @@ impl Piece {
     /// What others need to know about the piece. `place` returns where a sample of the tile is.
     #[must_use]
     pub fn summary(&self, place: impl Fn(u64) -> DVec2) -> PieceSummary {
+        let places: Vec<DVec2> = self.vertices.iter().map(|&id| place(id)).collect();
+        self.summary_of(&places)
+    }
+
+    /// The same, given where the samples are, in the order of [`vertices`](Self::vertices).
+    #[must_use]
+    pub fn summary_of(&self, places: &[DVec2]) -> PieceSummary {
         let vertices = &self.vertices;
         let count = vertices.len();
         let at = |index: usize| vertices.get(index).copied().unwrap_or_default();
@@ -100,7 +107,6 @@ impl Piece {
         } else {
             [after.unwrap_or(ends[0]), before.unwrap_or(ends[0])]
         };
-        let places: Vec<DVec2> = vertices.iter().map(|&id| place(id)).collect();
         let place = |index: usize| places.get(index).copied().unwrap_or_default();
         let (mut length, mut twice_area) = (ExactSum::default(), ExactSum::default());
         let may_be_of_ring = self.closed || self.links.iter().all(Option::is_some);

@@ -1,5 +1,8 @@
 //! Which rings lie around a place, from sides in any order.
 
+use std::iter;
+use std::ops::Range;
+
 use curvecrust_geometry::{DVec2, orient2d};
 
 use crate::area::Area;
@@ -52,7 +55,7 @@ pub fn surrounding<E>(
     mut sides: impl FnMut(&mut Crossings) -> Result<(), E>,
     mut visit: impl FnMut(usize, &[usize]),
 ) -> Result<(), E> {
-    let mut parts = vec![0..places.len()];
+    let mut parts: Vec<Range<usize>> = iter::once(0..places.len()).collect();
     while let Some(part) = parts.pop() {
         if part.is_empty() {
             continue;
@@ -106,6 +109,17 @@ impl Crossings {
         if self.found.len() > room.min(self.most.saturating_mul(2)) {
             self.shorten();
         }
+    }
+
+    /// Whether a ring that lies in some area may lie around any of the places. If not, its sides
+    /// need not be given.
+    #[must_use]
+    pub fn may_have(&self, area: Area) -> bool {
+        // No side lies to the left of a place on the left border.
+        let first = self.places.partition_point(|(p, _)| p.x <= area.low.x);
+        let reached = self.places[first..].iter();
+        let mut reached = reached.take_while(|(p, _)| p.x <= area.high.x);
+        reached.any(|&(place, _)| area.contains(place))
     }
 
     /// Leaves of equal pairs one, or none if there are evenly many.

@@ -26,6 +26,10 @@ pub(crate) struct Tiles {
         value_parser = size
     )]
     pub(crate) memory: u64,
+    /// Write the curves into this folder too, ordered and tile by tile, as NumPy arrays: curves.npy
+    /// has a row for each curve. Without -o, they are all that is written
+    #[arg(long, value_name = "FOLDER", requires = "tiles")]
+    pub(crate) polylines: Option<PathBuf>,
     /// The points of a tile [default: as many as the memory allows]
     #[arg(long, value_name = "N", requires = "tiles", hide = true)]
     pub(crate) tile_points: Option<NonZeroUsize>,

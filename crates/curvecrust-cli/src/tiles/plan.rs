@@ -164,6 +164,31 @@ impl Folder {
         self.path.join(format!("tile-{tile:06}.samples"))
     }
 
+    /// The pieces of curves of a tile.
+    pub(super) fn pieces(&self, tile: usize) -> PathBuf {
+        self.path.join(format!("tile-{tile:06}.pieces"))
+    }
+
+    /// The curves that lie in several tiles.
+    pub(super) fn across(&self) -> PathBuf {
+        self.path.join("joined.pieces")
+    }
+
+    /// The numbers of the curves of a list: those of a tile, or the ones across tiles as the last.
+    pub(super) fn ranks(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.ranks"))
+    }
+
+    /// How many rings lie around each ring of a list.
+    pub(super) fn nesting(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.nesting"))
+    }
+
+    /// All that is known about the curves of a list.
+    pub(super) fn curves(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.curves"))
+    }
+
     /// The edges that no tile could decide alone.
     pub(super) fn joined(&self) -> PathBuf {
         self.path.join("joined.result")

@@ -31,6 +31,7 @@ mod memory;
 mod models;
 mod pictures;
 mod point_files;
+mod polylines;
 mod processes;
 mod puzzle;
 mod python;

@@ -6,7 +6,7 @@ use crate::console::Console;
 use crate::format::Format;
 use crate::input;
 use crate::output::Output;
-use crate::tiles::{self, Done, LEAST_MEMORY, Limits};
+use crate::tiles::{self, Done, Found, LEAST_MEMORY, Limits, Place, Wanted};
 use anyhow::{Context, bail};
 use curvecrust::tiles::Method;
 use std::num::NonZeroUsize;
@@ -20,7 +20,7 @@ pub(crate) struct Job {
     algorithm: &'static str,
     method: Method,
     limits: Limits,
-    output: Output,
+    wanted: Wanted,
 }
 
 impl Job {
@@ -47,14 +47,24 @@ impl Job {
         let args::Tiles {
             memory,
             tile_points,
+            polylines,
             ..
         } = args.tiles;
         if memory < LEAST_MEMORY {
             bail!("--memory has to be at least {} MiB", LEAST_MEMORY >> 20);
         }
         let args::Output { output, to, force } = args.output;
+        let has_edges = polylines.is_none() || output.is_some() || to.is_some();
+        let edges = has_edges.then(|| Output::new(output, to, force, &[Format::Npy]));
+        if polylines.as_ref() == Some(&folder) {
+            bail!("--tiles and --polylines are one folder: give two");
+        }
+        let curves = polylines.map(|path| Place::new(path, force));
         Ok(Self {
-            output: Output::new(output, to, force, &[Format::Npy])?,
+            wanted: Wanted {
+                edges: edges.transpose()?,
+                curves: curves.transpose()?,
+            },
             input,
             folder,
             algorithm,
@@ -73,18 +83,30 @@ impl Job {
             algorithm,
             method,
             limits,
-            output,
+            wanted,
         } = self;
-        let done = tiles::run(&input, &folder, algorithm, method, limits, &output, console)?;
+        let done = tiles::run(&input, &folder, algorithm, method, limits, &wanted, console)?;
         let Done {
             points,
             tiles,
             open,
             edges,
+            curves,
         } = done;
+        let mut found = Vec::new();
+        found.extend(edges.map(|edges| format!("{edges} edges")));
+        found.extend(curves.map(|found| {
+            let Found {
+                curves,
+                closed,
+                across,
+            } = found;
+            format!("{curves} curves, {closed} of them closed, {across} in several tiles")
+        }));
         console.note(format_args!(
-            "{points} points in {tiles} tiles, {open} of them asked other tiles: {edges} edges; {} \
-             can be deleted",
+            "{points} points in {tiles} tiles, {open} of them asked other tiles: {}; {} can be \
+             deleted",
+            found.join(", "),
             folder.display()
         ));
         Ok(Outcome::Fine)
