@@ -23,8 +23,10 @@ mod records;
 mod solve;
 
 use crate::console::Console;
+use crate::format::Format;
 use crate::output::Output;
 use crate::output::npy::Pairs;
+use crate::points::ColumnNames;
 use anyhow::Context;
 use curvecrust::tiles::{Method, Partition};
 use distribute::Chunks;
@@ -36,7 +38,7 @@ pub(crate) use polylines::{Found, Place};
 use solve::{Counts, edge, edge_bytes};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Hears how much of how much is done.
 type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -101,9 +103,19 @@ impl Limits {
     }
 }
 
-/// Reconstructs the points of a file in a folder, and writes what is wanted.
+/// Where the points are.
+#[derive(Debug)]
+pub(crate) struct Points {
+    /// A file, or a folder of tables.
+    pub(crate) path: PathBuf,
+    /// Arrays or tables.
+    pub(crate) format: Format,
+    pub(crate) columns: Option<ColumnNames>,
+}
+
+/// Reconstructs points in a folder, and writes what is wanted.
 pub(crate) fn run(
-    input: &Path,
+    points: &Points,
     folder: &Path,
     algorithm: &str,
     method: Method,
@@ -111,14 +123,16 @@ pub(crate) fn run(
     wanted: &Wanted,
     console: &Console,
 ) -> anyhow::Result<Done> {
-    let name = crate::input::name(input);
-    let mut input = Input::open(input)?;
+    let name = crate::input::name(&points.path);
+    let columns = points.columns.as_ref();
+    let mut input = Input::open(&points.path, points.format, columns)?;
+    let print = input.fingerprint(columns)?;
     for note in input.notes() {
         console.note(format_args!("{name}: {note}"));
     }
     let points = input.len();
     let sizes = limits.sizes(points);
-    let job = Job::new(algorithm, points, sizes, &input.metadata()?);
+    let job = Job::new(algorithm, points, sizes, print);
     let folder = Folder::open(folder)?;
     let plan = match folder.plan(&job)? {
         Some(plan) => plan,

@@ -10,7 +10,13 @@ struct Graph {
     /// Neighbours of the sample at index v: `to[first[v]..first[v + 1]]`.
     first: Vec<usize>,
     to: Vec<Neighbour>,
+    /// Of a sample at which no piece ends its two neighbours, else [`STOP`]: walks go from one to
+    /// the next, and what is small stays in the cache. Empty if there are too many samples.
+    inner: Vec<[u32; 2]>,
 }
+
+/// What stands for the neighbours of a sample at which pieces end.
+const STOP: [u32; 2] = [u32::MAX; 2];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Neighbour {
@@ -61,8 +67,7 @@ pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
     }
     for start in 0..graph.len() {
         if !is_inner[start]
-            && !graph.is_stop(start)
-            && let [Neighbour::Inside(second), _] = *graph.of(start)
+            && let Some([second, _]) = graph.inner(start)
         {
             let mut ring = graph.walk(start, second);
             ring.pop();
@@ -100,7 +105,17 @@ impl Graph {
             None => Neighbour::Outside(id),
         };
         let to = pairs.into_iter().map(neighbour).collect();
-        Self { ids, first, to }
+        let mut graph = Self {
+            ids,
+            first,
+            to,
+            inner: Vec::new(),
+        };
+        if u32::try_from(graph.len()).is_ok() {
+            let inner = |v: usize| graph.neighbours(v).map_or(STOP, |pair| pair.map(small));
+            graph.inner = (0..graph.len()).map(inner).collect();
+        }
+        graph
     }
 
     /// The number of samples.
@@ -116,19 +131,35 @@ impl Graph {
         &self.to[self.first[v]..self.first[v + 1]]
     }
 
+    /// The two neighbours of a sample at which no piece ends.
+    fn neighbours(&self, v: usize) -> Option<[usize; 2]> {
+        match *self.of(v) {
+            [Neighbour::Inside(p), Neighbour::Inside(q)] => Some([p, q]),
+            _ => None,
+        }
+    }
+
+    /// The same, faster.
+    fn inner(&self, v: usize) -> Option<[usize; 2]> {
+        match self.inner.get(v) {
+            Some(&STOP) => None,
+            Some(&pair) => Some(pair.map(|at| at as usize)),
+            None => self.neighbours(v),
+        }
+    }
+
     /// Whether pieces end at a sample.
     fn is_stop(&self, v: usize) -> bool {
-        !matches!(self.of(v), [Neighbour::Inside(_), Neighbour::Inside(_)])
+        self.inner(v).is_none()
     }
 
     /// From a sample by way of a second one to the next stop, or back to the first.
     fn walk(&self, start: usize, second: usize) -> Vec<usize> {
         let mut path = vec![start, second];
         let (mut from, mut at) = (start, second);
-        while at != start && !self.is_stop(at) {
-            let [Neighbour::Inside(p), Neighbour::Inside(q)] = *self.of(at) else {
-                break;
-            };
+        while at != start
+            && let Some([p, q]) = self.inner(at)
+        {
             (from, at) = (at, if p == from { q } else { p });
             path.push(at);
         }
@@ -170,4 +201,9 @@ impl Graph {
             closed: false,
         })
     }
+}
+
+/// An index that is less than a number of 32 bits.
+fn small(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -42,4 +42,6 @@ mod scans;
 #[cfg(feature = "shapefile")]
 mod shapes;
 mod tables;
+#[cfg(feature = "parquet")]
+mod tables_in_tiles;
 mod tiles;

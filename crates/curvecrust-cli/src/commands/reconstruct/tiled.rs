@@ -3,19 +3,28 @@
 use super::Outcome;
 use crate::args;
 use crate::console::Console;
-use crate::format::Format;
+use crate::format::{self, Format};
 use crate::input;
+use crate::number::counted;
 use crate::output::Output;
-use crate::tiles::{self, Done, Found, LEAST_MEMORY, Limits, Place, Wanted};
+use crate::points::ColumnNames;
+use crate::tiles::{self, Done, Found, LEAST_MEMORY, Limits, Place, Points, Wanted};
 use anyhow::{Context, bail};
 use curvecrust::tiles::Method;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+/// The formats that are read; folders hold the last one.
+const FORMATS: &[Format] = &[
+    Format::Npy,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
+];
+
 /// Which points are reconstructed, where and how, and where the edges go.
 #[derive(Debug)]
 pub(crate) struct Job {
-    input: PathBuf,
+    points: Points,
     folder: PathBuf,
     algorithm: &'static str,
     method: Method,
@@ -32,18 +41,28 @@ impl Job {
             let names = names.join(", ");
             format!("{algorithm} is not local enough for tiles: use {names}")
         })?;
-        let input = args.points.path;
-        let from = args.points.reading.from.or_else(|| Format::of_name(&input));
-        if input::is_standard(&input) {
+        let path = args.points.path;
+        if input::is_standard(&path) {
             bail!("--tiles reads the points more than once: give a file");
         }
-        if let Some(other) = from.filter(|&format| format != Format::Npy) {
-            bail!(
-                "--tiles reads npy alone, and {} is {}",
-                input.display(),
+        let reading = args.points.reading;
+        let format = match reading.from.or_else(|| Format::of_name(&path)) {
+            None if path.is_dir() => FORMATS.last().copied().unwrap_or(Format::Npy),
+            None => Format::Npy,
+            Some(format) if FORMATS.contains(&format) => format,
+            Some(other) => bail!(
+                "--tiles reads {}, and {} is {}",
+                format::listed(FORMATS),
+                path.display(),
                 other.name()
-            );
-        }
+            ),
+        };
+        let columns = reading.x.zip(reading.y);
+        let points = Points {
+            path,
+            format,
+            columns: columns.map(|(x, y)| ColumnNames { x, y }),
+        };
         let args::Tiles {
             memory,
             tile_points,
@@ -65,7 +84,7 @@ impl Job {
                 edges: edges.transpose()?,
                 curves: curves.transpose()?,
             },
-            input,
+            points,
             folder,
             algorithm,
             method,
@@ -78,14 +97,16 @@ impl Job {
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
         let Self {
-            input,
+            points,
             folder,
             algorithm,
             method,
             limits,
             wanted,
         } = self;
-        let done = tiles::run(&input, &folder, algorithm, method, limits, &wanted, console)?;
+        let done = tiles::run(
+            &points, &folder, algorithm, method, limits, &wanted, console,
+        )?;
         let Done {
             points,
             tiles,
@@ -101,7 +122,8 @@ impl Job {
                 closed,
                 across,
             } = found;
-            format!("{curves} curves, {closed} of them closed, {across} in several tiles")
+            let curves = counted(usize::try_from(curves).unwrap_or(usize::MAX), "curve");
+            format!("{curves}, {closed} of them closed, {across} in several tiles")
         }));
         console.note(format_args!(
             "{points} points in {tiles} tiles, {open} of them asked other tiles: {}; {} can be \

@@ -70,51 +70,59 @@ impl<'a> Nest<'a> {
     /// Writes what is known of the curves of each list.
     pub(super) fn run(mut self, progress: Progress<'_>) -> anyhow::Result<()> {
         let lists = self.job.tiles() + 1;
-        let (count, choose): (Change, Change) = (
-            |count, _, around, _| *count += around.len() as u64,
-            |parent, nesting, around, outer| {
-                let is_right_around = |&&ring: &&usize| outer.nesting[ring] + 1 == nesting;
-                let found = around.iter().find(is_right_around);
-                // In each list the first one has the least number.
-                *parent = found.map_or(*parent, |&ring| outer.ranks[ring].min(*parent));
-            },
-        );
+        self.nesting = self.count(&|done| progress(done, 2 * lists))?;
+        self.find_parents(&|done| progress(lists + done, 2 * lists))
+    }
+
+    /// Counts the rings around the rings of each tile, and around those across tiles.
+    fn count(&self, progress: &dyn Fn(usize)) -> anyhow::Result<Vec<u64>> {
         let mut of_across = vec![0; self.across.rows.len()];
-        self.each_batch(|nest, batch| {
-            progress(batch.lists.end, 2 * lists);
+        let count: Change = |count, _, around, _| *count += around.len() as u64;
+        self.each_batch(|batch| {
+            progress(batch.lists.end);
             let mut counts = vec![0; batch.places.len()];
-            nest.change(batch, count, &mut counts, &mut of_across)?;
+            self.change(batch, count, &mut counts, &mut of_across)?;
             for list in batch.lists.clone() {
-                let counts = &mut counts[batch.of(list)];
-                if list == nest.job.tiles() {
-                    nest.add_to_across(&mut of_across, counts, |all, more| *all += more);
+                let counts = &counts[batch.of(list)];
+                if list == self.job.tiles() {
+                    self.add_to_across(&mut of_across, counts, |all, more| *all += more);
                     continue;
                 }
-                let path = nest.job.folder.nesting(list);
+                let path = self.job.folder.nesting(list);
                 records::write(&path, |out| {
                     put_words(out, counts).and_then(|()| out.flush())
                 })?;
             }
             Ok(())
         })?;
-        self.nesting = of_across;
+        Ok(of_across)
+    }
+
+    /// Finds the ring right around each ring, as soon as it is known how many lie around each, and
+    /// writes the curves.
+    fn find_parents(&self, progress: &dyn Fn(usize)) -> anyhow::Result<()> {
         let mut of_across = vec![NONE; self.across.rows.len()];
-        self.each_batch(|nest, batch| {
-            progress(lists + batch.lists.end, 2 * lists);
+        let choose: Change = |parent, nesting, around, outer| {
+            let is_right_around = |&&ring: &&usize| outer.nesting[ring] + 1 == nesting;
+            let found = around.iter().find(is_right_around);
+            // In each list the first one has the least number.
+            *parent = found.map_or(*parent, |&ring| outer.ranks[ring].min(*parent));
+        };
+        self.each_batch(|batch| {
+            progress(batch.lists.end);
             let mut parents = vec![NONE; batch.places.len()];
-            nest.change(batch, choose, &mut parents, &mut of_across)?;
+            self.change(batch, choose, &mut parents, &mut of_across)?;
             for list in batch.lists.clone() {
-                let parents = &mut parents[batch.of(list)];
-                if list == nest.job.tiles() {
-                    nest.add_to_across(&mut of_across, parents, |all, one| *all = one.min(*all));
-                    let rings = nest.rings.iter().map(|&(ring, _)| ring);
-                    let (nesting, parents): (Vec<_>, Vec<_>) = rings
-                        .map(|ring| (nest.nesting[ring], of_across[ring]))
-                        .unzip();
-                    nest.write(list, &nesting, &parents)?;
-                } else {
-                    nest.write(list, &nest.nesting_of(list)?, parents)?;
+                let parents = &parents[batch.of(list)];
+                if list < self.job.tiles() {
+                    self.write(list, &self.nesting_of(list)?, parents)?;
+                    continue;
                 }
+                self.add_to_across(&mut of_across, parents, |all, one| *all = one.min(*all));
+                let rings = self.rings.iter().map(|&(ring, _)| ring);
+                let known = rings.map(|ring| (self.nesting[ring], of_across[ring]));
+                let (nesting, parents): (Vec<_>, Vec<_>) = known.unzip();
+                self.write(list, &nesting, &parents)?;
             }
             Ok(())
         })
@@ -159,10 +167,7 @@ impl<'a> Nest<'a> {
     }
 
     /// Takes the rings of all lists in batches, those across tiles last.
-    fn each_batch(
-        &self,
-        mut take: impl FnMut(&Self, &Batch) -> anyhow::Result<()>,
-    ) -> anyhow::Result<()> {
+    fn each_batch(&self, mut take: impl FnMut(&Batch) -> anyhow::Result<()>) -> anyhow::Result<()> {
         let lists = self.job.tiles() + 1;
         let mut next = 0;
         while next < lists {
@@ -181,7 +186,7 @@ impl<'a> Nest<'a> {
                 batch.lists.end += 1;
             }
             next = batch.lists.end;
-            take(self, &batch)?;
+            take(&batch)?;
         }
         Ok(())
     }

@@ -213,15 +213,22 @@ impl Traced {
 
     /// The whole curves.
     pub(super) fn rows(&mut self) -> anyhow::Result<Vec<Row>> {
-        let whole = self.whole;
-        self.at(Self::rows_start(), |reader| records::get(reader, whole))
+        let (whole, samples) = (self.whole, self.whole_samples);
+        self.at(Self::rows_start(), |reader| {
+            let rows: Vec<Row> = records::get(reader, whole)?;
+            ensure_sum(rows.iter().map(|row| row.count), samples)?;
+            Ok(rows)
+        })
     }
 
     /// The other pieces.
     pub(super) fn summaries(&mut self) -> anyhow::Result<Vec<PieceSummary>> {
-        let parts = self.parts;
+        let (parts, samples) = (self.parts, self.part_samples);
         self.at(self.summaries_start(), |reader| {
-            (0..parts).map(|_| summary::get(reader)).collect()
+            let parts = (0..parts).map(|_| summary::get(reader));
+            let parts: Vec<PieceSummary> = parts.collect::<io::Result<_>>()?;
+            ensure_sum(parts.iter().map(|part| part.count), samples)?;
+            Ok(parts)
         })
     }
 
@@ -263,5 +270,14 @@ impl Traced {
 
     fn advice(path: &std::path::Path) -> String {
         format!("cannot read {}: delete it and start again", path.display())
+    }
+}
+
+/// An error unless pieces have as many samples as there are.
+fn ensure_sum(counts: impl Iterator<Item = u64>, samples: u64) -> io::Result<()> {
+    if counts.fold(0, u64::saturating_add) == samples {
+        Ok(())
+    } else {
+        Err(io::Error::other("it is damaged"))
     }
 }
