@@ -62,7 +62,8 @@ impl Place {
     /// ```
     /// # use curvecrust_geometry::DVec2;
     /// # use curvecrust_tiles::{join_pieces, pieces};
-    /// let [piece] = &pieces(&[0, 1, 2, 3], &[[0, 1], [1, 2], [2, 3], [0, 3]])[..] else { panic!() };
+    /// let edges = [[0, 1], [1, 2], [2, 3], [0, 3]];
+    /// let [piece] = &pieces(&[0, 1, 2, 3], &edges)[..] else { panic!() };
     /// let place = join_pieces(&[piece.summary(|_| DVec2::ZERO)])?.places[0];
     /// assert_eq!((place.start, place.reversed), (0, false)); // 0-1-2-3
     /// let place = place.turned(4, 4);

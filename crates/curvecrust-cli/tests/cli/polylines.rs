@@ -341,8 +341,8 @@ fn where_curves_are_written() {
     folder.write("out/notes.txt", "keep");
     assert_eq!(
         folder.run(&forced).error(),
-        "error: cannot write the folder out: it holds notes.txt, which is no part of such a result: \
-         give a new or an empty folder"
+        "error: cannot write the folder out: it holds notes.txt, which is no part of such a \
+         result: give a new or an empty folder"
     );
     assert_eq!(
         folder.run(&line.replace(" out", " no/out")).error(),

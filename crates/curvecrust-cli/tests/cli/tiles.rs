@@ -206,7 +206,8 @@ fn a_folder_is_for_one_job() {
     assert_eq!(
         error(""),
         format!(
-            "{start}its input has another size or other columns, or was changed at another time{end}"
+            "{start}its input has another size or other columns, or was changed at another \
+             time{end}"
         )
     );
     fs::create_dir(folder.path().join("mine")).unwrap();

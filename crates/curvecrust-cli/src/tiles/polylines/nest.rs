@@ -1,9 +1,9 @@
 //! Which rings lie around which: how many, and the one right around each.
 //!
 //! A ring lies around another if it lies around its leftmost sample. A ring that crosses no border
-//! lies in the box of its tile, so it lies only around samples of that tile. Each tile holds its own
-//! rings against the leftmost samples in it. Only the rings across tiles are held against those of
-//! all tiles, of as many tiles at once as memory allows.
+//! lies in the box of its tile, so it lies only around samples of that tile. Each tile holds its
+//! own rings against the leftmost samples in it. Only the rings across tiles are held against those
+//! of all tiles, of as many tiles at once as memory allows.
 
 use super::link::Across;
 use super::number::read_words;
