@@ -3,9 +3,9 @@
 use super::Progress;
 use crate::format::Format;
 use crate::input::name;
+use crate::points::{CLOSING, ColumnNames, Flaw, HEIGHTS, PointsError, Problem, npy};
 #[cfg(feature = "parquet")]
-use crate::points::parquet;
-use crate::points::{CLOSING, ColumnNames, Flaw, HEIGHTS, PointsError, Problem, ReadOptions, npy};
+use crate::points::{ReadOptions, parquet};
 use curvecrust::DVec2;
 use curvecrust::geometry::Random;
 use curvecrust::tiles::Partition;
@@ -98,7 +98,7 @@ impl Input {
 
     /// What the user should know about how points are read.
     pub(super) fn notes(&self) -> Vec<String> {
-        let mut notes = match &self.rows {
+        let mut notes: Vec<String> = match &self.rows {
             Rows::Npy(_, rows) => rows
                 .has_heights()
                 .then(|| HEIGHTS.to_owned())
