@@ -96,7 +96,8 @@ the points of a third sorted along a line
   curvecrust reconstruct outline.csv --closed --curves 1 -o outline.svg
   curvecrust reconstruct track.csv --open --curves 1 -o sorted.csv
 Points that memory cannot hold:
-  curvecrust reconstruct big.npy --tiles folder --memory 2GB -o edges.npy")]
+  curvecrust reconstruct big.npy --tiles folder --memory 2GB -o edges.npy
+  curvecrust reconstruct big.npy --tiles folder --memory 2GB --polylines curves")]
 pub(crate) struct Reconstruct {
     #[command(flatten)]
     pub(crate) points: Points,

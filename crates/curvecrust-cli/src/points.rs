@@ -20,7 +20,7 @@ pub(crate) mod npy;
 mod npz;
 mod obj;
 #[cfg(feature = "parquet")]
-mod parquet;
+pub(crate) mod parquet;
 #[cfg(feature = "ply")]
 mod ply;
 mod quote;

@@ -11,27 +11,34 @@
 //! | solve | [`solve`] | finds the edges of each tile, and what it cannot decide |
 //! | join | [`join`] | asks the tiles for what is open |
 //! | merge | [`merge`] | writes the edges of all |
+//! | order | [`polylines`] | writes the curves, tile by tile |
 
 mod distribute;
 mod input;
 mod join;
 mod merge;
 mod plan;
+mod polylines;
 mod records;
 mod solve;
 
 use crate::console::Console;
+use crate::format::Format;
 use crate::output::Output;
 use crate::output::npy::Pairs;
+use crate::points::ColumnNames;
 use anyhow::Context;
 use curvecrust::tiles::{Method, Partition};
 use distribute::Chunks;
 use input::Input;
 use merge::Merge;
 use plan::{Folder, Job, Plan, Sizes};
+use polylines::Solved;
+pub(crate) use polylines::{Found, Place};
+use solve::{Counts, edge, edge_bytes};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Hears how much of how much is done.
 type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -70,7 +77,16 @@ pub(crate) struct Done {
     pub(crate) tiles: usize,
     /// Samples whose choice their tile did not know.
     pub(crate) open: u64,
-    pub(crate) edges: u64,
+    /// The number of edges, if they were written.
+    pub(crate) edges: Option<u64>,
+    pub(crate) curves: Option<Found>,
+}
+
+/// What is written: edges, curves or both.
+#[derive(Debug)]
+pub(crate) struct Wanted {
+    pub(crate) edges: Option<Output>,
+    pub(crate) curves: Option<Place>,
 }
 
 impl Limits {
@@ -87,24 +103,36 @@ impl Limits {
     }
 }
 
-/// Reconstructs the points of a file in a folder, and writes the edges.
+/// Where the points are.
+#[derive(Debug)]
+pub(crate) struct Points {
+    /// A file, or a folder of tables.
+    pub(crate) path: PathBuf,
+    /// Arrays or tables.
+    pub(crate) format: Format,
+    pub(crate) columns: Option<ColumnNames>,
+}
+
+/// Reconstructs points in a folder, and writes what is wanted.
 pub(crate) fn run(
-    input: &Path,
+    points: &Points,
     folder: &Path,
     algorithm: &str,
     method: Method,
     limits: Limits,
-    output: &Output,
+    wanted: &Wanted,
     console: &Console,
 ) -> anyhow::Result<Done> {
-    let name = crate::input::name(input);
-    let mut input = Input::open(input)?;
+    let name = crate::input::name(&points.path);
+    let columns = points.columns.as_ref();
+    let mut input = Input::open(&points.path, points.format, columns)?;
+    let print = input.fingerprint(columns)?;
     for note in input.notes() {
         console.note(format_args!("{name}: {note}"));
     }
     let points = input.len();
     let sizes = limits.sizes(points);
-    let job = Job::new(algorithm, points, sizes, &input.metadata()?);
+    let job = Job::new(algorithm, points, sizes, print);
     let folder = Folder::open(folder)?;
     let plan = match folder.plan(&job)? {
         Some(plan) => plan,
@@ -125,14 +153,26 @@ pub(crate) fn run(
     let open = console.during("asking other tiles", |progress| {
         join::join(&folder, &partition, method, sizes, is_wide, progress)
     })?;
-    let edges = console.during("writing", |progress| {
-        write(&folder, partition.cells().len(), is_wide, output, progress)
-    })?;
+    let tiles = partition.cells().len();
+    let write_edges = |output: &Output| {
+        console.during("writing", |progress| {
+            write(&folder, tiles, is_wide, output, progress)
+        })
+    };
+    let edges = wanted.edges.as_ref().map(write_edges).transpose()?;
+    let solved = Solved {
+        folder: &folder,
+        partition: &partition,
+        sizes,
+        is_wide,
+    };
+    let write_curves = |place| solved.write_polylines(place, console);
     Ok(Done {
         points,
-        tiles: partition.cells().len(),
+        tiles,
         open,
         edges,
+        curves: wanted.curves.as_ref().map(write_curves).transpose()?,
     })
 }
 
@@ -178,13 +218,18 @@ fn write(
     output: &Output,
     progress: Progress<'_>,
 ) -> anyhow::Result<u64> {
-    let merge = Merge::open(folder, tiles, is_wide)?;
+    let mut merge = Merge::new(edge_bytes(is_wide));
+    let results = (0..tiles).map(|tile| folder.result(tile));
+    for path in results.chain([folder.joined()]) {
+        let (counts, _) = Counts::open(&path, is_wide)?;
+        merge.add(path, counts.to_edges(), counts.edges);
+    }
     let count = merge.count;
     let total = usize::try_from(count)?;
     output.write(|out| {
         let mut pairs = Pairs::new(out, total, is_wide)?;
         let mut done = 0;
-        merge.run(|edge| {
+        merge.run(edge, |_, edge, _| {
             if done % (1 << 16) == 0 {
                 progress(done, total);
             }

@@ -1,15 +1,22 @@
 //! From the edges of a tile to pieces of chains.
 
+use crate::ids::Ids;
 use crate::piece::Piece;
 
 /// The neighbours of the samples of a tile.
 struct Graph {
-    /// The ids, ascending; a sample's index is its position here.
-    ids: Vec<u64>,
+    /// A sample's index is its position here.
+    ids: Ids,
     /// Neighbours of the sample at index v: `to[first[v]..first[v + 1]]`.
     first: Vec<usize>,
     to: Vec<Neighbour>,
+    /// Of a sample at which no piece ends its two neighbours, else [`STOP`]: walks go from one to
+    /// the next, and what is small stays in the cache. Empty if there are too many samples.
+    inner: Vec<[u32; 2]>,
 }
+
+/// What stands for the neighbours of a sample at which pieces end.
+const STOP: [u32; 2] = [u32::MAX; 2];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Neighbour {
@@ -39,8 +46,8 @@ enum Neighbour {
 pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
     let graph = Graph::new(ids, edges);
     let mut found = Vec::new();
-    let mut is_inner = vec![false; graph.ids.len()];
-    let stops = (0..graph.ids.len()).filter(|&v| graph.is_stop(v));
+    let mut is_inner = vec![false; graph.len()];
+    let stops = (0..graph.len()).filter(|&v| graph.is_stop(v));
     for stop in stops {
         for &to in graph.of(stop) {
             match to {
@@ -58,10 +65,9 @@ pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
             }
         }
     }
-    for start in 0..graph.ids.len() {
+    for start in 0..graph.len() {
         if !is_inner[start]
-            && !graph.is_stop(start)
-            && let [Neighbour::Inside(second), _] = *graph.of(start)
+            && let Some([second, _]) = graph.inner(start)
         {
             let mut ring = graph.walk(start, second);
             ring.pop();
@@ -77,10 +83,8 @@ pub fn pieces(ids: &[u64], edges: &[[u64; 2]]) -> Vec<Piece> {
 
 impl Graph {
     fn new(ids: &[u64], edges: &[[u64; 2]]) -> Self {
-        let mut ids = ids.to_vec();
-        ids.sort_unstable();
-        ids.dedup();
-        let index = |id: &u64| ids.binary_search(id).ok();
+        let ids = Ids::new(ids.to_vec());
+        let index = |id: &u64| ids.position(*id);
         let mut pairs: Vec<(usize, u64)> = Vec::with_capacity(2 * edges.len());
         for [p, q] in edges {
             pairs.extend(index(p).map(|at| (at, *q)));
@@ -89,38 +93,73 @@ impl Graph {
         // Smaller neighbours come first.
         pairs.sort_unstable();
         pairs.dedup();
-        let mut first = vec![0; ids.len() + 1];
+        let mut first = vec![0; ids.as_slice().len() + 1];
         for &(at, _) in &pairs {
             first[at + 1] += 1;
         }
         for at in 1..first.len() {
             first[at] += first[at - 1];
         }
-        let neighbour = |(_, id): &(usize, u64)| match index(id) {
+        let neighbour = |(_, id): (usize, u64)| match index(&id) {
             Some(at) => Neighbour::Inside(at),
-            None => Neighbour::Outside(*id),
+            None => Neighbour::Outside(id),
         };
-        let to = pairs.iter().map(neighbour).collect();
-        Self { ids, first, to }
+        let to = pairs.into_iter().map(neighbour).collect();
+        let mut graph = Self {
+            ids,
+            first,
+            to,
+            inner: Vec::new(),
+        };
+        if u32::try_from(graph.len()).is_ok() {
+            let inner = |v: usize| graph.neighbours(v).map_or(STOP, |pair| pair.map(small));
+            graph.inner = (0..graph.len()).map(inner).collect();
+        }
+        graph
+    }
+
+    /// The number of samples.
+    fn len(&self) -> usize {
+        self.ids.as_slice().len()
+    }
+
+    fn id(&self, v: usize) -> u64 {
+        self.ids.as_slice()[v]
     }
 
     fn of(&self, v: usize) -> &[Neighbour] {
         &self.to[self.first[v]..self.first[v + 1]]
     }
 
+    /// The two neighbours of a sample at which no piece ends.
+    fn neighbours(&self, v: usize) -> Option<[usize; 2]> {
+        match *self.of(v) {
+            [Neighbour::Inside(p), Neighbour::Inside(q)] => Some([p, q]),
+            _ => None,
+        }
+    }
+
+    /// The same, faster.
+    fn inner(&self, v: usize) -> Option<[usize; 2]> {
+        match self.inner.get(v) {
+            Some(&STOP) => None,
+            Some(&pair) => Some(pair.map(|at| at as usize)),
+            None => self.neighbours(v),
+        }
+    }
+
     /// Whether pieces end at a sample.
     fn is_stop(&self, v: usize) -> bool {
-        !matches!(self.of(v), [Neighbour::Inside(_), Neighbour::Inside(_)])
+        self.inner(v).is_none()
     }
 
     /// From a sample by way of a second one to the next stop, or back to the first.
     fn walk(&self, start: usize, second: usize) -> Vec<usize> {
         let mut path = vec![start, second];
         let (mut from, mut at) = (start, second);
-        while at != start && !self.is_stop(at) {
-            let [Neighbour::Inside(p), Neighbour::Inside(q)] = *self.of(at) else {
-                break;
-            };
+        while at != start
+            && let Some([p, q]) = self.inner(at)
+        {
             (from, at) = (at, if p == from { q } else { p });
             path.push(at);
         }
@@ -139,7 +178,7 @@ impl Graph {
     fn piece(&self, path: &[usize], closed: bool) -> Piece {
         let end = |at: Option<&usize>| at.and_then(|&at| self.link(at));
         Piece {
-            vertices: path.iter().map(|&at| self.ids[at]).collect(),
+            vertices: path.iter().map(|&at| self.id(at)).collect(),
             links: [end(path.first()), end(path.last())],
             closed,
         }
@@ -157,9 +196,14 @@ impl Graph {
             _ => [None, Some(link)],
         };
         Some(Piece {
-            vertices: vec![self.ids[v]],
+            vertices: vec![self.id(v)],
             links,
             closed: false,
         })
     }
+}
+
+/// An index that is less than a number of 32 bits.
+fn small(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -1,9 +1,12 @@
 //! Pieces of chains from all tiles, joined to whole curves.
 
+use curvecrust_geometry::DVec2;
+use curvecrust_geometry::point_set::by_coordinates;
+
 use crate::area::Area;
 use crate::error::TilesError;
 use crate::exact_sum::ExactSum;
-use crate::piece::PieceSummary;
+use crate::piece::{PieceSummary, add_cross};
 
 /// The name of a curve: its first two samples, which no other curve has.
 ///
@@ -29,8 +32,14 @@ pub struct Curve {
     pub count: u64,
     /// The sum of the lengths of its edges, rounded once: it does not depend on the tiles.
     pub length: f64,
+    /// The area inside a ring, without rounding error until it is rounded once; negative if the
+    /// ring runs clockwise. Zero for an open curve.
+    pub signed_area: f64,
     /// Where its samples are.
     pub area: Area,
+    /// Where the sample is that comes first by x, then y: [`surrounding`](crate::surrounding) asks
+    /// whether other rings lie around it.
+    pub leftmost: DVec2,
 }
 
 /// Where a piece is on its curve.
@@ -44,6 +53,32 @@ pub struct Place {
     pub start: u64,
     /// Whether the curve runs through the piece from its last sample to its first.
     pub reversed: bool,
+}
+
+impl Place {
+    /// The place of a piece of some samples on a ring of more, if the ring runs the other way from
+    /// the same first sample.
+    ///
+    /// ```
+    /// # use curvecrust_geometry::DVec2;
+    /// # use curvecrust_tiles::{join_pieces, pieces};
+    /// let edges = [[0, 1], [1, 2], [2, 3], [0, 3]];
+    /// let [piece] = &pieces(&[0, 1, 2, 3], &edges)[..] else { panic!() };
+    /// let place = join_pieces(&[piece.summary(|_| DVec2::ZERO)])?.places[0];
+    /// assert_eq!((place.start, place.reversed), (0, false)); // 0-1-2-3
+    /// let place = place.turned(4, 4);
+    /// assert_eq!((place.start, place.reversed), (1, true)); // 3-2-1 from position 1, then 0
+    /// # Ok::<(), curvecrust_tiles::TilesError>(())
+    /// ```
+    #[must_use]
+    pub fn turned(self, piece: u64, ring: u64) -> Self {
+        let last = self.start.saturating_add(piece).saturating_sub(1) % ring.max(1);
+        Self {
+            curve: self.curve,
+            start: (ring - last) % ring.max(1),
+            reversed: !self.reversed,
+        }
+    }
 }
 
 /// The curves of all tiles.
@@ -250,17 +285,23 @@ impl<'a> Joiner<'a> {
     ) {
         let summaries = || steps.iter().map(|step| &self.summaries[step.piece]);
         let count = summaries().fold(0u64, |count, s| count.saturating_add(s.count));
-        let mut length = ExactSum::default();
+        let (mut length, mut twice_area) = (ExactSum::default(), ExactSum::default());
         let mut start = count.saturating_sub(skipped);
         for (at, &step) in steps.iter().enumerate() {
             let summary = &self.summaries[step.piece];
             length.add_sum(&summary.length);
+            if closed {
+                twice_area.add_signed(&summary.twice_area, step.reversed);
+            }
             let next = steps.get(at + 1).or(steps.first().filter(|_| closed));
             // A ring of one closed piece has all of its edges already.
             if let Some(&next) = next.filter(|_| !summary.closed) {
                 let from = summary.points[Self::side(step, true)];
                 let to = self.summaries[next.piece].points[Self::side(next, false)];
                 length.add(from.distance(to));
+                if closed {
+                    add_cross(&mut twice_area, from, to);
+                }
             }
             found.places[step.piece] = Place {
                 curve,
@@ -274,7 +315,12 @@ impl<'a> Joiner<'a> {
             closed,
             count,
             length: length.value(),
+            signed_area: twice_area.value() / 2.0,
             area: summaries().fold(Area::NOTHING, |area, s| area.union(s.area)),
+            leftmost: summaries()
+                .map(|summary| summary.leftmost)
+                .min_by(|&a, &b| by_coordinates(a, b))
+                .unwrap_or_default(),
         });
     }
 }

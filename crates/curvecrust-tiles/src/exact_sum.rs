@@ -39,11 +39,50 @@ impl ExactSum {
         }
     }
 
+    /// Adds the product of two numbers, without rounding it: as its double and the error of that,
+    /// which is one too as long as neither overflows nor underflows.
+    ///
+    /// ```
+    /// use curvecrust_tiles::ExactSum;
+    ///
+    /// let mut sum = ExactSum::default();
+    /// sum.add_product(0.1, 10.0);
+    /// sum.add(-1.0);
+    /// assert_eq!(sum.value(), f64::EPSILON / 4.0);
+    /// assert_eq!(0.1 * 10.0 - 1.0, 0.0);
+    /// ```
+    pub fn add_product(&mut self, x: f64, y: f64) {
+        let product = x * y;
+        self.add(x.mul_add(y, -product));
+        self.add(product);
+    }
+
     /// Adds all of another sum.
     pub fn add_sum(&mut self, other: &Self) {
         for &part in &other.parts {
             self.add(part);
         }
+    }
+
+    /// Adds all of another sum, or takes it away.
+    pub(crate) fn add_signed(&mut self, other: &Self, is_taken: bool) {
+        for &part in &other.parts {
+            self.add(if is_taken { -part } else { part });
+        }
+    }
+
+    /// The numbers of which it is the sum, for storing it: collecting them gives the sum back.
+    ///
+    /// ```
+    /// use curvecrust_tiles::ExactSum;
+    ///
+    /// let sum: ExactSum = [1e16, 1.0, 1e-16].into_iter().collect();
+    /// assert_eq!(sum.parts(), [1e-16, 1.0, 1e16]);
+    /// assert_eq!(sum.parts().iter().copied().collect::<ExactSum>(), sum);
+    /// ```
+    #[must_use]
+    pub fn parts(&self) -> &[f64] {
+        &self.parts
     }
 
     /// The double nearest to the sum; of two that are equally near the even one.
@@ -68,6 +107,16 @@ impl ExactSum {
             }
         }
         value
+    }
+}
+
+impl FromIterator<f64> for ExactSum {
+    fn from_iter<T: IntoIterator<Item = f64>>(numbers: T) -> Self {
+        let mut sum = Self::default();
+        for number in numbers {
+            sum.add(number);
+        }
+        sum
     }
 }
 

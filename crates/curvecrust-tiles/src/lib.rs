@@ -14,6 +14,7 @@
 //! | join | [`joined`] | makes the edges that no tile could decide alone from the claims of all |
 //! | contract | [`pieces`] | makes [`Piece`]s of the edges of a tile: chains, cut at the border |
 //! | link | [`join_pieces`] | makes whole [`Curve`]s, and finds the [`Place`] of each piece |
+//! | nest | [`surrounding`] | finds the rings around a ring from the sides of all, in any order |
 //!
 //! The edges of all tiles and the joined ones are, together and sorted, those of
 //! [`hnn_crust`](curvecrust_reconstruct::hnn_crust()) or
@@ -58,6 +59,7 @@ mod contract;
 mod curves;
 mod error;
 mod exact_sum;
+mod ids;
 mod method;
 mod open_sample;
 mod partition;
@@ -65,6 +67,7 @@ mod piece;
 mod query;
 mod resolve;
 mod sample;
+mod surroundings;
 mod tile;
 
 pub use area::Area;
@@ -74,6 +77,7 @@ pub use contract::pieces;
 pub use curves::{Curve, CurveId, JoinedCurves, Place, join_pieces};
 pub use error::TilesError;
 pub use exact_sum::ExactSum;
+pub use ids::Ids;
 pub use method::Method;
 pub use open_sample::{Lack, OpenSample};
 pub use partition::{Axis, Cut, Partition};
@@ -81,6 +85,7 @@ pub use piece::{Least, Piece, PieceSummary};
 pub use query::Query;
 pub use resolve::resolve;
 pub use sample::{Sample, Samples};
+pub use surroundings::{Crossings, surrounding};
 pub use tile::{Choice, Decided, Solved, solve_tile};
 
 /// The example of the README is a test too.

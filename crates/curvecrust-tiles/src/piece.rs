@@ -1,6 +1,7 @@
 //! The chains of one tile, up to its border.
 
 use curvecrust_geometry::DVec2;
+use curvecrust_geometry::point_set::by_coordinates;
 
 use crate::area::Area;
 use crate::exact_sum::ExactSum;
@@ -37,8 +38,13 @@ pub struct PieceSummary {
     pub count: u64,
     /// The length of the edges, without those to the links.
     pub length: ExactSum,
+    /// The sum of the cross products of the ends of these edges, twice the area between them and
+    /// the origin: of a ring with all links twice its signed area. Zero if the chain ends here.
+    pub twice_area: ExactSum,
     /// Where the samples are.
     pub area: Area,
+    /// Where the sample is that comes first by x, then y.
+    pub leftmost: DVec2,
     /// Whether the piece is a whole ring.
     pub closed: bool,
 }
@@ -84,6 +90,13 @@ impl Piece {
     /// What others need to know about the piece. `place` returns where a sample of the tile is.
     #[must_use]
     pub fn summary(&self, place: impl Fn(u64) -> DVec2) -> PieceSummary {
+        let places: Vec<DVec2> = self.vertices.iter().map(|&id| place(id)).collect();
+        self.summary_of(&places)
+    }
+
+    /// The same, given where the samples are, in the order of [`vertices`](Self::vertices).
+    #[must_use]
+    pub fn summary_of(&self, places: &[DVec2]) -> PieceSummary {
         let vertices = &self.vertices;
         let count = vertices.len();
         let at = |index: usize| vertices.get(index).copied().unwrap_or_default();
@@ -94,21 +107,31 @@ impl Piece {
         } else {
             [after.unwrap_or(ends[0]), before.unwrap_or(ends[0])]
         };
-        let mut length = ExactSum::default();
-        let steps = vertices.windows(2).map(|pair| (pair[0], pair[1]));
-        let closing = self.closed.then_some((ends[1], ends[0]));
+        let place = |index: usize| places.get(index).copied().unwrap_or_default();
+        let (mut length, mut twice_area) = (ExactSum::default(), ExactSum::default());
+        let may_be_of_ring = self.closed || self.links.iter().all(Option::is_some);
+        let steps = places.windows(2).map(|pair| (pair[0], pair[1]));
+        let closing = self
+            .closed
+            .then(|| (place(count.saturating_sub(1)), place(0)));
         for (from, to) in steps.chain(closing) {
-            length.add(place(from).distance(place(to)));
+            length.add(from.distance(to));
+            if may_be_of_ring {
+                add_cross(&mut twice_area, from, to);
+            }
         }
+        let leftmost = places.iter().copied().min_by(|&a, &b| by_coordinates(a, b));
         PieceSummary {
             ends,
-            points: ends.map(&place),
+            points: [place(0), place(count.saturating_sub(1))],
             links: self.links,
             inner,
             least: self.least(),
             count: count as u64,
             length,
-            area: Area::of(vertices.iter().map(|&id| place(id))),
+            twice_area,
+            area: Area::of(places.iter().copied()),
+            leftmost: leftmost.unwrap_or_default(),
             closed: self.closed,
         }
     }
@@ -131,4 +154,10 @@ impl Piece {
             ],
         }
     }
+}
+
+/// Adds the cross product of two places.
+pub(crate) fn add_cross(sum: &mut ExactSum, from: DVec2, to: DVec2) {
+    sum.add_product(from.x, to.y);
+    sum.add_product(-from.y, to.x);
 }

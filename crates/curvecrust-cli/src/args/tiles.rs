@@ -7,13 +7,14 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 pub(crate) struct Tiles {
     /// Work tile by tile in this folder, within limited memory; a run that was stopped
-    /// continues. For hnn-crust and nn-crust, from npy to npy
+    /// continues. For hnn-crust and nn-crust, from npy, parquet or a folder of parquet
+    /// files, to npy
     #[arg(
         long,
         value_name = "FOLDER",
         conflicts_with_all = [
             "json", "closed", "open", "curves", "terminus", "termini_from", "merge_duplicates",
-            "merge_within", "x", "vertices", "keep", "why",
+            "merge_within", "vertices", "keep", "why",
         ]
     )]
     pub(crate) tiles: Option<PathBuf>,
@@ -26,6 +27,10 @@ pub(crate) struct Tiles {
         value_parser = size
     )]
     pub(crate) memory: u64,
+    /// Write the curves into this folder too, ordered and tile by tile, as NumPy arrays: curves.npy
+    /// has a row for each curve. Without -o, they are all that is written
+    #[arg(long, value_name = "FOLDER", requires = "tiles")]
+    pub(crate) polylines: Option<PathBuf>,
     /// The points of a tile [default: as many as the memory allows]
     #[arg(long, value_name = "N", requires = "tiles", hide = true)]
     pub(crate) tile_points: Option<NonZeroUsize>,

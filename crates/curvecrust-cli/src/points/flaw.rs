@@ -40,6 +40,8 @@ pub(crate) enum Place {
     Field(u64, usize),
     /// A row of an array, and one of its columns.
     Row(u64, usize),
+    /// A group of rows of a table, and one of its rows.
+    GroupRow(u64, u64),
     /// A feature of a collection.
     Feature(usize),
     /// A thing of some kind, such as a shape.
@@ -180,6 +182,8 @@ pub(crate) enum Problem {
     ColumnType { name: String, found: String },
     #[error("the column `{name}` has no number")]
     NoNumber { name: String },
+    #[error("with --tiles every row has to be one point, and this one is not")]
+    OnePoint,
     #[error("this is no FlatGeobuf: {0}")]
     Flatgeobuf(String),
     #[error("this is no Shapefile: {0}")]
@@ -238,6 +242,7 @@ impl fmt::Display for Place {
             Self::Field(line, field) => write!(f, ", line {line}, field {field}"),
             Self::Row(row, column) => write!(f, ", row {row}, column {column}"),
             Self::Item(kind, number) => write!(f, ", {kind} {number}"),
+            Self::GroupRow(group, row) => write!(f, ", row group {group}, row {row}"),
             Self::Feature(feature) => write!(f, ", feature {feature}"),
             Self::Position(None, position) => write!(f, ", position {position}"),
             Self::Position(Some(feature), position) => {

@@ -43,6 +43,11 @@ impl Gathered {
         }
     }
 
+    /// The number of points.
+    pub(super) fn count(&self) -> usize {
+        self.points.len()
+    }
+
     /// Goes to a place: what follows is there.
     pub(super) fn go_to(&mut self, place: Place) {
         self.place = place;

@@ -5,6 +5,7 @@ mod chunks;
 mod geo;
 mod numbers;
 mod pages;
+mod rows;
 mod schema;
 
 use super::columns::Columns;
@@ -24,6 +25,7 @@ use parquet::file::metadata::ParquetMetaData;
 use parquet::file::reader::{FileReader, Length, RowGroupReader};
 use parquet::file::serialized_reader::{ReadOptionsBuilder, SerializedFileReader};
 use parquet::schema::types::SchemaDescriptor;
+pub(crate) use rows::Rows;
 use std::io;
 
 /// Rows that are read at once.
@@ -35,7 +37,30 @@ struct Reader {
     size: u64,
 }
 
+/// Where the points of a table are.
+#[derive(Clone, Copy)]
+enum Layout {
+    /// The columns of x and y, and that of heights if there is one and it is wanted.
+    Numbers {
+        columns: [usize; 2],
+        height: Option<usize>,
+    },
+    /// A column of well-known binary.
+    Geometries(usize),
+}
+
 pub(super) fn read(source: Seekable, options: &ReadOptions) -> Result<PointList, Flaw> {
+    let reader = open(source)?;
+    let mut found = Gathered::new(options);
+    match layout(&reader, options, &mut found)? {
+        Layout::Numbers { columns, height } => points(&reader, columns, height, &mut found)?,
+        Layout::Geometries(column) => geometries(&reader, column, &mut found)?,
+    }
+    Ok(found.finish())
+}
+
+/// Opens a table, which must not promise more rows than it can hold.
+fn open(source: Seekable) -> Result<Reader, Flaw> {
     let chunks = Chunks::new(source)?;
     let (most, size) = (chunks.most(), chunks.len());
     let mut reading = ReadOptionsBuilder::new();
@@ -43,62 +68,58 @@ pub(super) fn read(source: Seekable, options: &ReadOptions) -> Result<PointList,
         reading = reading.with_parquet_schema(schema);
     }
     let file = SerializedFileReader::new_with_options(chunks, reading.build()).map_err(flaw)?;
-    let reader = Reader { file, size };
-    let metadata = reader.file.metadata();
-    let rows = metadata.row_groups().iter().map(|group| group.num_rows());
-    let rows = rows.map(|rows| u64::try_from(rows).unwrap_or(u64::MAX));
+    let rows = file.metadata().row_groups().iter();
+    let rows = rows.map(|group| u64::try_from(group.num_rows()).unwrap_or(u64::MAX));
     let rows = rows.fold(0, u64::saturating_add);
     if rows.saturating_mul(16) > most {
         return Err(Problem::Promise { points: rows }.into());
     }
-    let mut found = Gathered::new(options);
+    Ok(Reader { file, size })
+}
+
+/// Finds the points of a table; tells `found` what is known about them.
+fn layout(reader: &Reader, options: &ReadOptions, found: &mut Gathered) -> Result<Layout, Flaw> {
+    let metadata = reader.file.metadata().file_metadata();
+    let schema = metadata.schema_descr();
     let geo = match &options.columns {
         Some(_) => None,
-        None => geo::of(metadata.file_metadata())?,
+        None => geo::of(metadata)?,
     };
-    let schema = metadata.file_metadata().schema_descr();
-    match geo {
-        Some(Geo {
+    if let Some(geo) = geo {
+        let Geo {
             column,
             encoding,
             system,
-        }) => {
-            if let Some(system) = system {
-                found.system(system);
-            }
-            match encoding {
-                Encoding::Wkb => {
-                    let column = leaf(schema, &[&column])?;
-                    geometries(&reader, column, &mut found)?;
-                }
-                Encoding::Point => {
-                    let [x, y, z] = ["x", "y", "z"].map(|axis| leaf(schema, &[&column, axis]));
-                    points(&reader, [x?, y?], z.ok(), &mut found)?;
-                }
-            }
+        } = geo;
+        if let Some(system) = system {
+            found.system(system);
         }
-        None => {
-            let header = Header::of(schema);
-            let columns = Columns::of_header(&header, options.columns.as_ref());
-            let columns = columns.and_then(|columns| {
-                columns.ok_or_else(|| super::columns::not_found(&header, options.columns.as_ref()))
-            });
-            // A table without lines.
-            let columns = columns.map_err(|flaw| Flaw::from(flaw.problem))?;
-            if let Some(note) = columns.note(&header, options.heights) {
-                found.note(note);
+        return Ok(match encoding {
+            Encoding::Wkb => Layout::Geometries(leaf(schema, &[&column])?),
+            Encoding::Point => {
+                let [x, y, z] = ["x", "y", "z"].map(|axis| leaf(schema, &[&column, axis]));
+                Layout::Numbers {
+                    columns: [x?, y?],
+                    height: z.ok(),
+                }
             }
-            let leaf = |column: usize| header.columns[column].0;
-            let height = columns.z.filter(|_| options.heights).map(leaf);
-            points(
-                &reader,
-                [columns.x, columns.y].map(leaf),
-                height,
-                &mut found,
-            )?;
-        }
+        });
     }
-    Ok(found.finish())
+    let header = Header::of(schema);
+    let columns = Columns::of_header(&header, options.columns.as_ref());
+    let columns = columns.and_then(|columns| {
+        columns.ok_or_else(|| super::columns::not_found(&header, options.columns.as_ref()))
+    });
+    // A table without lines.
+    let columns = columns.map_err(|flaw| Flaw::from(flaw.problem))?;
+    if let Some(note) = columns.note(&header, options.heights) {
+        found.note(note);
+    }
+    let leaf = |column: usize| header.columns[column].0;
+    Ok(Layout::Numbers {
+        columns: [columns.x, columns.y].map(leaf),
+        height: columns.z.filter(|_| options.heights).map(leaf),
+    })
 }
 
 fn flaw(error: ParquetError) -> Flaw {

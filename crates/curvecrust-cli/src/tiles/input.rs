@@ -1,15 +1,19 @@
 //! The points, read part by part, and how they are cut into tiles.
 
 use super::Progress;
+use crate::format::Format;
 use crate::input::name;
-use crate::points::npy::Rows;
-use crate::points::{CLOSING, Flaw, HEIGHTS, PointsError};
+use crate::points::{CLOSING, ColumnNames, Flaw, HEIGHTS, PointsError, Problem, npy};
+#[cfg(feature = "parquet")]
+use crate::points::{ReadOptions, parquet};
 use curvecrust::DVec2;
 use curvecrust::geometry::Random;
 use curvecrust::tiles::Partition;
-use std::fs::Metadata;
+use serde::{Deserialize, Serialize};
+use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
 /// Points that are looked at for each tile, so that the points of a tile are known within 12 %, as
 /// two standard deviations.
@@ -21,26 +25,65 @@ const ALL_LOOKS: std::ops::RangeInclusive<usize> = 1 << 14..=1 << 20;
 /// Rows between two reports of progress.
 const BLOCK: usize = 1 << 16;
 
-/// The file of points.
+/// The points.
 pub(super) struct Input {
-    path: PathBuf,
     rows: Rows,
     /// The rows that are points: without a last one that repeats the first.
     count: usize,
 }
 
+/// What holds the points.
+enum Rows {
+    Npy(PathBuf, npy::Rows),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<parquet::Rows>),
+}
+
+/// What tells an input from others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Fingerprint {
+    /// The size of all files in bytes.
+    pub(super) bytes: u64,
+    /// When the last of them was changed: seconds and nanoseconds.
+    modified: (u64, u32),
+    /// The columns of x and y that were asked for.
+    columns: Option<(String, String)>,
+}
+
 impl Input {
-    pub(super) fn open(path: &Path) -> anyhow::Result<Self> {
-        let path = path.to_owned();
-        let rows = Rows::open(&path).map_err(|flaw| PointsError::new(name(&path), flaw))?;
+    /// Opens an array or, if `columns` of a table may be asked for, tables.
+    pub(super) fn open(
+        path: &Path,
+        format: Format,
+        columns: Option<&ColumnNames>,
+    ) -> anyhow::Result<Self> {
+        let rows = match format {
+            #[cfg(feature = "parquet")]
+            Format::Parquet => {
+                let options = ReadOptions {
+                    columns: columns.cloned(),
+                    ..ReadOptions::default()
+                };
+                let rows = parquet::Rows::open(path, options);
+                let rows = rows.map_err(|(path, flaw)| PointsError::new(name(&path), flaw))?;
+                Rows::Parquet(Box::new(rows))
+            }
+            _ => {
+                let rows = match columns {
+                    None => npy::Rows::open(path),
+                    Some(_) => Err(Problem::NoTable(Format::Npy).into()),
+                };
+                let rows = rows.map_err(|flaw| PointsError::new(name(path), flaw))?;
+                Rows::Npy(path.to_owned(), rows)
+            }
+        };
         let mut input = Self {
             count: rows.len(),
-            path,
             rows,
         };
         let mut ends = [Vec::new(), Vec::new()];
         let last = input.count - 1;
-        for (points, row) in ends.iter_mut().zip([0, last]) {
+        for (points, row) in ends.iter_mut().zip([last, 0]) {
             input.read(row, 1, points)?;
         }
         // As where all points are read at once.
@@ -54,19 +97,52 @@ impl Input {
     }
 
     /// What the user should know about how points are read.
-    pub(super) fn notes(&self) -> Vec<&'static str> {
-        let heights = self.rows.has_heights().then_some(HEIGHTS);
-        let closing = (self.count < self.rows.len()).then_some(CLOSING);
-        heights.into_iter().chain(closing).collect()
+    pub(super) fn notes(&self) -> Vec<String> {
+        let mut notes: Vec<String> = match &self.rows {
+            Rows::Npy(_, rows) => rows
+                .has_heights()
+                .then(|| HEIGHTS.to_owned())
+                .into_iter()
+                .collect(),
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(rows) => rows.notes().to_vec(),
+        };
+        notes.extend((self.count < self.rows.len()).then(|| CLOSING.to_owned()));
+        notes
     }
 
-    pub(super) fn metadata(&self) -> anyhow::Result<Metadata> {
-        let found = self.rows.file().metadata();
-        found.map_err(|error| self.flaw(error.into()))
+    pub(super) fn fingerprint(&self, columns: Option<&ColumnNames>) -> anyhow::Result<Fingerprint> {
+        let paths: Vec<&Path> = match &self.rows {
+            Rows::Npy(path, _) => vec![path],
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(rows) => rows.paths().collect(),
+        };
+        let mut print = Fingerprint {
+            bytes: 0,
+            modified: (0, 0),
+            columns: columns.map(|ColumnNames { x, y }| (x.clone(), y.clone())),
+        };
+        for path in paths {
+            let found = fs::metadata(path);
+            let found = found.map_err(|error| PointsError::new(name(path), error.into()))?;
+            let modified = found.modified().ok();
+            let modified = modified.and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+            let modified = modified.unwrap_or_default();
+            print.bytes = print.bytes.saturating_add(found.len());
+            print.modified = print
+                .modified
+                .max((modified.as_secs(), modified.subsec_nanos()));
+        }
+        Ok(print)
     }
 
     fn flaw(&self, flaw: Flaw) -> anyhow::Error {
-        PointsError::new(name(&self.path), flaw).into()
+        let path = match &self.rows {
+            Rows::Npy(path, _) => path,
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(rows) => rows.path(),
+        };
+        PointsError::new(name(path), flaw).into()
     }
 
     /// Reads some points and adds them to `points`.
@@ -76,7 +152,11 @@ impl Input {
         count: usize,
         points: &mut Vec<DVec2>,
     ) -> anyhow::Result<()> {
-        let read = self.rows.read(first, count, points);
+        let read = match &mut self.rows {
+            Rows::Npy(_, rows) => rows.read(first, count, points),
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(rows) => rows.read(first, count, points),
+        };
         read.map_err(|flaw| self.flaw(flaw))
     }
 
@@ -125,5 +205,15 @@ impl Input {
             }
         }
         Ok(Partition::of(seen, tiles))
+    }
+}
+
+impl Rows {
+    fn len(&self) -> usize {
+        match self {
+            Self::Npy(_, rows) => rows.len(),
+            #[cfg(feature = "parquet")]
+            Self::Parquet(rows) => rows.len(),
+        }
     }
 }

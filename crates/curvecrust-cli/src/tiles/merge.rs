@@ -1,7 +1,5 @@
-//! The sorted edges of all tiles in one sorted list.
+//! Sorted lists of many files in one sorted list.
 
-use super::plan::Folder;
-use super::solve::{Counts, edge_bytes};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::collections::binary_heap::PeekMut;
@@ -15,7 +13,7 @@ const MOST: usize = 1 << 20;
 /// Bytes that are read from all lists at once, about.
 const ALL: usize = 1 << 24;
 
-/// The edges of one tile that are left.
+/// The records of one file that are left.
 struct List {
     path: PathBuf,
     /// Where the next ones are that are not read yet, and how many.
@@ -23,56 +21,60 @@ struct List {
     left: u64,
     buffer: Vec<u8>,
     at: usize,
-    is_wide: bool,
 }
 
 /// All lists, to be merged.
 pub(super) struct Merge {
     lists: Vec<List>,
-    /// The number of edges.
+    /// The bytes of a record.
+    bytes: usize,
+    /// The number of records.
     pub(super) count: u64,
 }
 
 impl Merge {
-    /// Opens the lists of all tiles, and of what was joined.
-    pub(super) fn open(folder: &Folder, tiles: usize, is_wide: bool) -> anyhow::Result<Self> {
-        let mut lists = Vec::new();
-        let mut total = 0;
-        let paths = (0..tiles).map(|tile| folder.result(tile));
-        for path in paths.chain([folder.joined()]) {
-            let (counts, _) = Counts::open(&path, is_wide)?;
-            total += counts.edges;
-            lists.push(List {
-                path,
-                offset: counts.to_edges(),
-                left: counts.edges,
-                buffer: Vec::new(),
-                at: 0,
-                is_wide,
-            });
+    /// Without a list, for records of so many bytes.
+    pub(super) fn new(bytes: usize) -> Self {
+        Self {
+            lists: Vec::new(),
+            bytes,
+            count: 0,
         }
-        Ok(Self {
-            lists,
-            count: total,
-        })
     }
 
-    /// Gives all edges to `take`, ascending.
-    pub(super) fn run(
+    /// Adds a list: `count` records of a file from an offset on.
+    pub(super) fn add(&mut self, path: PathBuf, offset: u64, count: u64) {
+        self.count += count;
+        self.lists.push(List {
+            path,
+            offset,
+            left: count,
+            buffer: Vec::new(),
+            at: 0,
+        });
+    }
+
+    /// Gives all records to `take`, ascending by their keys, with the number of their list.
+    pub(super) fn run<K: Ord + Copy>(
         mut self,
-        mut take: impl FnMut([u64; 2]) -> io::Result<()>,
+        key: impl Fn(&[u8]) -> K,
+        mut take: impl FnMut(usize, K, &[u8]) -> io::Result<()>,
     ) -> io::Result<()> {
-        let at_once = (ALL / self.lists.len()).clamp(1 << 12, MOST);
+        let at_once = (ALL / self.lists.len().max(1)).clamp(1 << 12, MOST);
+        let bytes = self.bytes;
         let mut heap = BinaryHeap::with_capacity(self.lists.len());
         for (number, list) in self.lists.iter_mut().enumerate() {
-            heap.extend(list.next(at_once)?.map(|edge| Reverse((edge, number))));
+            let first = list.peek(bytes, at_once)?;
+            heap.extend(first.map(|record| Reverse((key(record), number))));
         }
         while let Some(mut least) = heap.peek_mut() {
-            let Reverse((edge, number)) = *least;
-            take(edge)?;
-            match self.lists[number].next(at_once)? {
+            let Reverse((found, number)) = *least;
+            let list = &mut self.lists[number];
+            take(number, found, &list.buffer[list.at..list.at + bytes])?;
+            list.at += bytes;
+            match list.peek(bytes, at_once)? {
                 // The heap is put in order once the new one is let go.
-                Some(next) => *least = Reverse((next, number)),
+                Some(next) => *least = Reverse((key(next), number)),
                 None => drop(PeekMut::pop(least)),
             }
         }
@@ -81,25 +83,16 @@ impl Merge {
 }
 
 impl List {
-    fn next(&mut self, at_once: usize) -> io::Result<Option<[u64; 2]>> {
-        if self.at == self.buffer.len() && !self.fill(at_once)? {
+    /// The next record, which stays the next.
+    fn peek(&mut self, bytes: usize, at_once: usize) -> io::Result<Option<&[u8]>> {
+        if self.at == self.buffer.len() && !self.fill(bytes, at_once)? {
             return Ok(None);
         }
-        let bytes = edge_bytes(self.is_wide);
-        let edge = &self.buffer[self.at..self.at + bytes];
-        self.at += bytes;
-        let number = |half: &[u8]| {
-            let mut number = [0; 8];
-            number[..half.len()].copy_from_slice(half);
-            u64::from_le_bytes(number)
-        };
-        let (a, b) = edge.split_at(bytes / 2);
-        Ok(Some([number(a), number(b)]))
+        Ok(Some(&self.buffer[self.at..self.at + bytes]))
     }
 
     /// Reads more; opens the file anew, as many lists are more than a system lets be open.
-    fn fill(&mut self, at_once: usize) -> io::Result<bool> {
-        let bytes = edge_bytes(self.is_wide);
+    fn fill(&mut self, bytes: usize, at_once: usize) -> io::Result<bool> {
         let count = (at_once / bytes).min(usize::try_from(self.left).unwrap_or(usize::MAX));
         self.buffer.resize(count * bytes, 0);
         self.at = 0;

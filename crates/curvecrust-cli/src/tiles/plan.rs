@@ -1,13 +1,13 @@
 //! What a folder of tiles is for, and how its points are cut into tiles.
 
+use super::input::Fingerprint;
 use super::records;
 use anyhow::{Context, bail};
 use curvecrust::tiles::{Axis, Cut, Partition};
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::UNIX_EPOCH;
 
 /// The name of the file that holds the plan.
 const PLAN: &str = "plan.json";
@@ -16,7 +16,7 @@ const PLAN: &str = "plan.json";
 const LOCK: &str = "lock";
 
 /// Another one makes folders that this program cannot go on with.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What is reconstructed: a folder is for one such job.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,10 +26,7 @@ pub(super) struct Job {
     /// The rows that are points.
     pub(super) points: u64,
     pub(super) sizes: Sizes,
-    /// The size of the input in bytes.
-    pub(super) bytes: u64,
-    /// When the input was changed: seconds and nanoseconds.
-    pub(super) modified: (u64, u32),
+    pub(super) input: Fingerprint,
 }
 
 /// How many points are worked on at once.
@@ -50,17 +47,13 @@ pub(super) struct Plan {
 }
 
 impl Job {
-    pub(super) fn new(algorithm: &str, points: usize, sizes: Sizes, input: &Metadata) -> Self {
-        let modified = input.modified().ok();
-        let modified = modified.and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-        let modified = modified.unwrap_or_default();
+    pub(super) fn new(algorithm: &str, points: usize, sizes: Sizes, input: Fingerprint) -> Self {
         Self {
             version: VERSION,
             algorithm: algorithm.to_owned(),
             points: points as u64,
             sizes,
-            bytes: input.len(),
-            modified: (modified.as_secs(), modified.subsec_nanos()),
+            input,
         }
     }
 }
@@ -164,6 +157,31 @@ impl Folder {
         self.path.join(format!("tile-{tile:06}.samples"))
     }
 
+    /// The pieces of curves of a tile.
+    pub(super) fn pieces(&self, tile: usize) -> PathBuf {
+        self.path.join(format!("tile-{tile:06}.pieces"))
+    }
+
+    /// The curves that lie in several tiles.
+    pub(super) fn across(&self) -> PathBuf {
+        self.path.join("joined.pieces")
+    }
+
+    /// The numbers of the curves of a list: those of a tile, or the ones across tiles as the last.
+    pub(super) fn ranks(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.ranks"))
+    }
+
+    /// How many rings lie around each ring of a list.
+    pub(super) fn nesting(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.nesting"))
+    }
+
+    /// All that is known about the curves of a list.
+    pub(super) fn curves(&self, list: usize) -> PathBuf {
+        self.path.join(format!("list-{list:06}.curves"))
+    }
+
     /// The edges that no tile could decide alone.
     pub(super) fn joined(&self) -> PathBuf {
         self.path.join("joined.result")
@@ -176,9 +194,9 @@ fn difference(theirs: &Job, ours: &Job) -> String {
         String::from("another version of this program made it")
     } else if theirs.algorithm != ours.algorithm {
         format!("it runs {}, not {}", theirs.algorithm, ours.algorithm)
-    } else if theirs.bytes == ours.bytes && theirs.sizes != ours.sizes {
+    } else if theirs.input.bytes == ours.input.bytes && theirs.sizes != ours.sizes {
         String::from("it has another --memory")
     } else {
-        String::from("its input has another size or was changed at another time")
+        String::from("its input has another size or other columns, or was changed at another time")
     }
 }

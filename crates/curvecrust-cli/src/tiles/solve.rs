@@ -81,6 +81,34 @@ pub(super) fn put_edges(out: &mut impl Write, edges: &[[u64; 2]], is_wide: bool)
     numbers.try_for_each(|number| out.write_all(&number.to_le_bytes()[..bytes]))
 }
 
+/// The edge that such bytes are.
+pub(super) fn edge(bytes: &[u8]) -> [u64; 2] {
+    let number = |half: &[u8]| {
+        let mut number = [0; 8];
+        number[..half.len()].copy_from_slice(half);
+        u64::from_le_bytes(number)
+    };
+    let (a, b) = bytes.split_at(bytes.len() / 2);
+    [number(a), number(b)]
+}
+
+/// The edges of a result.
+pub(super) fn read_edges(path: &Path, is_wide: bool) -> anyhow::Result<Vec<[u64; 2]>> {
+    let (counts, mut reader) = Counts::open(path, is_wide)?;
+    let mut read = || -> io::Result<_> {
+        reader.seek(SeekFrom::Start(counts.to_edges()))?;
+        let mut edges = Vec::with_capacity(usize::try_from(counts.edges).unwrap_or(0));
+        let mut buffer = [0; 16];
+        let buffer = &mut buffer[..edge_bytes(is_wide)];
+        for _ in 0..counts.edges {
+            reader.read_exact(buffer)?;
+            edges.push(edge(buffer));
+        }
+        Ok(edges)
+    };
+    read().with_context(|| format!("cannot read {}", path.display()))
+}
+
 /// The bytes of an edge.
 pub(super) fn edge_bytes(is_wide: bool) -> usize {
     if is_wide { 16 } else { 8 }

@@ -11,10 +11,10 @@ use parquet::schema::parser::parse_message_type;
 use serde_json::json;
 use std::sync::Arc;
 
-type Group<'a> = SerializedRowGroupWriter<'a, Vec<u8>>;
+pub(crate) type Group<'a> = SerializedRowGroupWriter<'a, Vec<u8>>;
 
 /// A file with a schema, the metadata `geo` and so many groups of rows.
-fn file(
+pub(crate) fn file(
     schema: &str,
     geo: Option<&str>,
     compression: Compression,
@@ -36,7 +36,7 @@ fn file(
 }
 
 /// Writes the next column of a group; where levels are given, those of 0 have no value.
-fn column<T: DataType>(group: &mut Group<'_>, values: &[T::T], levels: Option<&[i16]>) {
+pub(crate) fn column<T: DataType>(group: &mut Group<'_>, values: &[T::T], levels: Option<&[i16]>) {
     let mut column = group.next_column().unwrap().unwrap();
     column
         .typed::<T>()
@@ -59,7 +59,7 @@ fn xyz(compression: Compression) -> Vec<u8> {
 }
 
 /// A point as well-known binary.
-fn point(x: f64, y: f64) -> ByteArray {
+pub(crate) fn point(x: f64, y: f64) -> ByteArray {
     [&[1, 1, 0, 0, 0][..], &x.to_le_bytes(), &y.to_le_bytes()]
         .concat()
         .into()

@@ -31,6 +31,7 @@ mod memory;
 mod models;
 mod pictures;
 mod point_files;
+mod polylines;
 mod processes;
 mod puzzle;
 mod python;
@@ -41,4 +42,6 @@ mod scans;
 #[cfg(feature = "shapefile")]
 mod shapes;
 mod tables;
+#[cfg(feature = "parquet")]
+mod tables_in_tiles;
 mod tiles;

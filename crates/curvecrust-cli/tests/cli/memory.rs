@@ -3,7 +3,8 @@
 use crate::harness::Folder;
 use std::fs;
 use std::io::Read;
-use std::process::Stdio;
+use std::process::{Child, Stdio};
+use std::time::Duration;
 
 /// Circles of 1000 points, every ring of its own or in another, far from the order of the curves.
 fn circles(count: u32) -> Vec<u8> {
@@ -31,18 +32,22 @@ fn peak(folder: &Folder, line: &str) -> u64 {
     let mut command = folder.command(line);
     let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
     let mut stdout = child.stdout.take().unwrap();
-    let status = format!("/proc/{}/status", child.id());
     let mut peak = 0;
     let mut buffer = vec![0; 1 << 16];
     while stdout.read(&mut buffer).unwrap() > 0 {
-        // It has none when it has ended.
-        let status = fs::read_to_string(&status).unwrap();
-        let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"));
-        let kilobytes = line.and_then(|l| l.trim().strip_suffix("kB")?.trim().parse().ok());
-        peak = peak.max(1024 * kilobytes.unwrap_or(0));
+        peak = peak.max(so_far(&child));
     }
     assert!(child.wait().unwrap().success());
     peak
+}
+
+/// The most memory that a program has held; 0 when it has ended.
+fn so_far(child: &Child) -> u64 {
+    let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"));
+    let kilobytes: Option<u64> =
+        line.and_then(|l| l.trim().strip_suffix("kB")?.trim().parse().ok());
+    1024 * kilobytes.unwrap_or(0)
 }
 
 #[test]
@@ -67,7 +72,16 @@ fn every_output_is_written_within_64_bytes_a_point() {
 #[test]
 fn tiles_stay_within_their_memory() {
     let folder = Folder::with("many.npy", circles(1000));
-    let line = "reconstruct many.npy --tiles work --memory 64MiB --quiet --threads 2";
-    let peak = peak(&folder, line);
-    assert!(peak < 64 << 20, "{peak} bytes");
+    for output in ["-o edges.npy", "--polylines curves"] {
+        let line = "reconstruct many.npy --tiles work --memory 64MiB --quiet --threads 2";
+        let mut child = folder.command(&format!("{line} {output}")).spawn().unwrap();
+        let mut peak = 0;
+        while child.try_wait().unwrap().is_none() {
+            peak = peak.max(so_far(&child));
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert!(child.wait().unwrap().success());
+        assert!((1..64 << 20).contains(&peak), "{output} {peak} bytes");
+        fs::remove_dir_all(folder.path().join("work")).unwrap();
+    }
 }

@@ -205,7 +205,10 @@ fn a_folder_is_for_one_job() {
     folder.write("p.npy", npy(&curves(999)));
     assert_eq!(
         error(""),
-        format!("{start}its input has another size or was changed at another time{end}")
+        format!(
+            "{start}its input has another size or other columns, or was changed at another \
+             time{end}"
+        )
     );
     fs::create_dir(folder.path().join("mine")).unwrap();
     folder.write("mine/notes.txt", "keep");
@@ -289,7 +292,7 @@ fn what_tiles_are_not_for_is_refused() {
     );
     assert_eq!(
         error("p.csv"),
-        "error: --tiles reads npy alone, and p.csv is csv"
+        "error: --tiles reads npy or parquet, and p.csv is csv"
     );
     assert_eq!(
         error("-"),

@@ -1,5 +1,7 @@
 //! The edges by tiles are those of all points at once, whatever the tiles, halos and runs.
 
+#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
+
 mod chains;
 mod engine;
 

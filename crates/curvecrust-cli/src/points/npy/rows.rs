@@ -57,11 +57,6 @@ impl Rows {
         self.header.columns > 2
     }
 
-    /// The file.
-    pub(crate) fn file(&self) -> &File {
-        &self.file
-    }
-
     fn row_bytes(&self) -> usize {
         self.header.columns * self.header.number.bytes
     }
