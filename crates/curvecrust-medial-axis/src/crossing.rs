@@ -1,7 +1,9 @@
-//! Where dense polylines cross.
+//! Where dense polylines cross, and where the curve itself does.
 
-use curvecrust_curve::DenseCurve;
+use curvecrust_curve::{CubicBezier, Curve, DenseCurve};
 use curvecrust_geometry::{DVec2, Segment, orient2d};
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{RTree, RTreeObject};
 
 use crate::error::MedialAxisError;
 
@@ -23,6 +25,97 @@ pub(crate) fn find(dense: &DenseCurve, gaps: &[usize]) -> Option<MedialAxisError
     })
 }
 
+/// A crossing of the curve itself, by a chord of `gaps` and another one that cross: they still do
+/// when the curve between their ends is halved again and again.
+///
+/// Two strands that cross at a small angle are near each other for long. To refine until dense
+/// points tell them apart takes millions of these, where some dozen halvings find the crossing.
+pub(crate) fn of_curve(
+    curve: &Curve,
+    dense: &DenseCurve,
+    gaps: &[usize],
+) -> Option<MedialAxisError> {
+    let chords = (0..dense.len()).filter(|&i| dense.next(i).is_some());
+    let boxed = |i: usize| {
+        let Segment { a, b } = chord(dense, i);
+        let rectangle = Rectangle::from_corners(a.to_array(), b.to_array());
+        GeomWithData::new(rectangle, i)
+    };
+    let tree = RTree::bulk_load(chords.map(boxed).collect());
+    gaps.iter().find_map(|&gap| {
+        let near = tree.locate_in_envelope_intersecting(boxed(gap).envelope());
+        let mut others: Vec<usize> = near.map(|other| other.data).collect();
+        others.sort_unstable();
+        others.into_iter().find_map(|other| {
+            let pieces = [gap, other].map(|i| Piece::of_gap(curve, dense, i));
+            let at = halved(pieces)?;
+            let components = [gap, other].map(|i| dense.component_of(i));
+            Some(MedialAxisError::Crossing { at, components })
+        })
+    })
+}
+
+/// A gap is halved so often, to a millionth of it.
+const HALVINGS: u32 = 20;
+/// A crossing is found among four pairs for each halving.
+const MOST_PAIRS: u32 = 8 * HALVINGS;
+
+/// A part of a segment of the curve, between two parameters.
+#[derive(Clone, Copy)]
+struct Piece<'a> {
+    segment: &'a CubicBezier,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Piece<'a> {
+    fn of_gap(curve: &'a Curve, dense: &DenseCurve, i: usize) -> Self {
+        let from = dense.params()[i];
+        let to = dense.params()[dense.next(i).unwrap_or(i)];
+        let is_within = to.segment == from.segment && to.t > from.t;
+        Self {
+            segment: &curve.components()[from.component as usize].segments()[from.segment as usize],
+            from: from.t,
+            to: if is_within { to.t } else { 1.0 },
+        }
+    }
+
+    fn chord(self) -> Segment {
+        Segment::new(self.segment.point(self.from), self.segment.point(self.to))
+    }
+
+    fn halves(self) -> [Self; 2] {
+        let middle = f64::midpoint(self.from, self.to);
+        [
+            Self { to: middle, ..self },
+            Self {
+                from: middle,
+                ..self
+            },
+        ]
+    }
+}
+
+/// Where two pieces cross: their chords do, and those of halves of them, so many times. `None` also
+/// where that is not found among so many pairs, as for pieces that lie on each other.
+fn halved(pieces: [Piece<'_>; 2]) -> Option<DVec2> {
+    let mut open = vec![(pieces, 0)];
+    for _ in 0..MOST_PAIRS {
+        let (pieces, halvings) = open.pop()?;
+        let [first, second] = pieces;
+        let Some(at) = crossing_point(first.chord(), second.chord()) else {
+            continue;
+        };
+        if halvings == HALVINGS {
+            return Some(at);
+        }
+        for p in first.halves() {
+            open.extend(second.halves().map(|q| ([p, q], halvings + 1)));
+        }
+    }
+    None
+}
+
 /// The point where two segments cross inside both of them, decided exactly.
 fn crossing_point(p: Segment, q: Segment) -> Option<DVec2> {
     let apart = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
@@ -34,6 +127,42 @@ fn crossing_point(p: Segment, q: Segment) -> Option<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The first piece of a curve and its second one.
+    fn crossing_of(d: &str) -> Option<MedialAxisError> {
+        let curve = Curve::from_path_data(d).unwrap();
+        let dense = DenseCurve::per_segment(&curve, 4).unwrap();
+        let gaps: Vec<usize> = (0..dense.len()).collect();
+        of_curve(&curve, &dense, &gaps)
+    }
+
+    #[test]
+    fn a_small_angle_is_found_at_once() {
+        // A parabola of height 1e-4, which a line crosses at an angle of 1e-4.
+        let parabola = "M 0 0 Q 2 2e-4 4 0";
+        let Some(MedialAxisError::Crossing { at, components }) =
+            crossing_of(&format!("{parabola} M -1 -2.2e-4 L 3 1.8e-4"))
+        else {
+            panic!("they cross")
+        };
+        assert_eq!(components, [0, 1]);
+        // On the line y = 1e-4 (x - 1.2), and on the parabola y = 1e-4 x (1 - x / 4).
+        let x = 2.0 * f64::sqrt(1.2);
+        let place = DVec2::new(x, 1e-4 * (x - 1.2));
+        assert!(at.distance(place) < 1e-6, "{at}");
+    }
+
+    #[test]
+    fn chords_that_cross_are_not_enough() {
+        // Four chords of the arc leave room for a line that the arc does not reach.
+        assert_eq!(crossing_of("M 0 0 Q 2 4 4 0 M 1.2 2.01 L 2.8 2.01"), None);
+        // Chords of the inner arc cross those of the outer one.
+        let (inner, outer) = (
+            "M -2 0 A 2 2 0 0 0 2 0",
+            "M -1.9 -.7 A 2.02 2.02 0 0 0 1.9 -.7",
+        );
+        assert_eq!(crossing_of(&format!("{inner} {outer}")), None);
+    }
 
     #[test]
     fn segments_cross_inside_only() {

@@ -262,6 +262,9 @@ fn coarse_axis(
     let mut round = 0;
     loop {
         let (mut axis, spanning) = MedialAxis::with_spanning_gaps(&dense)?;
+        if let Some(crossing) = crossing::of_curve(curve, &dense, &spanning) {
+            return Err(crossing);
+        }
         let lfs = LocalFeatureSize::new(&dense, &axis);
         let overlapping = round >= OVERLAP_ROUNDS && 2 * spanning.len() > dense.len();
         let hopeless = |&i: &usize| overlapping || chord(&dense, i).length() < distance;
