@@ -89,7 +89,7 @@ impl Job {
         | Input::Planted { group }) = &self.input;
         match (&self.curve, &self.outlines) {
             (Some(curve), _) => format!("{group}/{curve}"),
-            (None, Some(outlines)) => format!("{group}/{}", outlines.name),
+            (None, Some(outlines)) => format!("{group}, {}", outlines.name),
             (None, None) => group.clone(),
         }
     }

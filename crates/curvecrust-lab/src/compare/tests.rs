@@ -213,7 +213,7 @@ fn outlines_take_part_when_files_are_given() {
     let rows: Vec<Row> = records::read(&run_whole(&given)).unwrap();
     let crust = rows.iter().filter(|row| row.algorithm == "crust");
     let crust: Vec<_> = crust.map(|row| (&*row.series, row.points)).collect();
-    assert_eq!(crust, [("outlines/circles", 12), ("outlines/circles", 30)]);
+    assert_eq!(crust, [("rings, circles", 12), ("rings, circles", 30)]);
     let exact = metrics().position(|metric| metric.name == "exact").unwrap();
     let is_exact = |row: &Row| row.values[exact].is_some_and(|value| value.lower > 0.5);
     assert!(
