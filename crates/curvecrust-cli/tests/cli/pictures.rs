@@ -214,3 +214,36 @@ fn a_band_is_around_its_curve() {
         assert!((distance(left, right) - width).abs() < 1e-9, "{i}: {width}");
     }
 }
+
+/// Each is a regular polygon of ten pixels around its vertex, the first corner above it. What is
+/// wrong shows in the number of corners.
+#[test]
+fn marks_are_regular_polygons() {
+    let points = "0 0\n1 0\n2 0\n-0.5 0.87\n-1 1.73\n-0.5 -0.87\n-1 -1.73\n9 9\n";
+    let folder = Folder::with("y.xy", points);
+    let line = "draw --points y.xy --edges beta-skeleton --violations";
+    let picture = folder.run(line).fine();
+    let document = Document::parse(&picture).unwrap();
+    let marks = paths(by_id(&document, "violations"));
+    // Three ends, a point alone, and where three edges meet.
+    let expected = [
+        ([2.0, 0.0], 24),
+        ([-1.0, 1.73], 24),
+        ([-1.0, -1.73], 24),
+        ([9.0, 9.0], 4),
+        ([0.0, 0.0], 3),
+    ];
+    assert_eq!(marks.len(), expected.len());
+    let radius = 10.0 * (9.0 + 1.73) / 800.0;
+    for (mark, (vertex, corners)) in marks.iter().zip(expected) {
+        assert_eq!(mark.len(), corners);
+        let above = [vertex[0], vertex[1] - radius];
+        assert!(distance(mark[0], above) < 1e-12);
+        let side = 2.0 * radius * (std::f64::consts::PI / corners as f64).sin();
+        for (i, &corner) in mark.iter().enumerate() {
+            let next = mark[(i + 1) % corners];
+            assert!((distance(corner, vertex) - radius).abs() < 1e-12);
+            assert!((distance(corner, next) - side).abs() < 1e-12);
+        }
+    }
+}
