@@ -225,6 +225,7 @@ mod tests {
             prop_assert_eq!(edges.is_empty(), a.is_empty());
             let lacking: Vec<_> = a.difference(&b).copied().collect();
             prop_assert_eq!(pairs(edges.difference(&others).collect()), lacking);
+            prop_assert_eq!(edges.as_ref(), edges.edges());
             prop_assert_eq!(pairs(edges.into_iter().collect()), Vec::from_iter(a));
         }
 
