@@ -281,7 +281,8 @@ fn lfs_has_the_colours_of_the_legend() {
             .find(|v| distance(v.0, [from[0], from[1]]) <= 0.0);
         let share = (here.unwrap().1 / low).ln() / (high / low).ln();
         let at = share * (stops.len() - 1) as f64;
-        let below = (at as usize).min(stops.len() - 2);
+        let mut before = (0..stops.len() - 1).rev();
+        let below = before.find(|&stop| stop as f64 <= at).unwrap();
         let found = channels(stretch.attribute("stroke").unwrap());
         for channel in 0..3 {
             let [a, b] = [stops[below][channel], stops[below + 1][channel]];
