@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use curvecrust_curve::Curve;
-use curvecrust_evaluate::{Bounds, hausdorff};
+use curvecrust_evaluate::{Bounds, Reference, hausdorff};
 use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointSet, Segment};
 use proptest::prelude::*;
 
@@ -36,6 +36,42 @@ fn inscribed_regular_polygons() {
         assert_holds(found.distance(), sagitta, tolerance);
         assert_holds(found.curve_to_polygon, sagitta, tolerance);
     }
+}
+
+/// The chords of a coarse reference lie inside of the circle by up to the flatness, which the bounds
+/// have to make up for, on either side.
+#[test]
+fn bounds_hold_whatever_the_flatness() {
+    let circle = Curve::from_path_data(CIRCLE).unwrap();
+    for flatness in [0.05, 0.02, 0.005] {
+        let reference = Reference::of_curve(&circle, flatness);
+        for radius in [0.5, 0.8, 1.3] {
+            let at = |i| radius * DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / 3e3);
+            let points = PointSet::new((0..3000).map(at).collect()).unwrap();
+            let found = reference.distances(&points, &ring(&points), 1e-3);
+            for bounds in [
+                found.hausdorff.curve_to_polygon,
+                found.hausdorff.polygon_to_curve,
+                found.rms.curve_to_polygon,
+                found.rms.polygon_to_curve,
+            ] {
+                // Béziers approximate a circle to 3e-4.
+                let widened = Bounds {
+                    lower: bounds.lower - 3e-4,
+                    upper: bounds.upper + 3e-4,
+                };
+                assert_holds(widened, (radius - 1.0).abs(), flatness + 1e-3);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_extent_is_the_larger_side() {
+    let corners = [[-1.0, 2.0], [2.0, 2.0], [2.0, 9.0]].map(DVec2::from);
+    let sides = corners.windows(2).map(|p| Segment::new(p[0], p[1]));
+    assert!((Reference::of_segments(sides).extent() - 7.0).abs() < 1e-15);
+    assert!(Reference::of_segments([]).extent() <= 0.0);
 }
 
 #[test]

@@ -200,6 +200,47 @@ impl IntoIterator for EdgeSet {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    fn set(pairs: &BTreeSet<(u32, u32)>) -> EdgeSet {
+        let edges = pairs.iter().rev();
+        let edges = edges.filter_map(|&(p, q)| Edge::new(q.into(), p.into()));
+        EdgeSet::new(7, edges)
+    }
+
+    fn ascending_pairs() -> impl Strategy<Value = BTreeSet<(u32, u32)>> {
+        let pair = (0u32..7, 0u32..7).prop_filter("p < q", |(p, q)| p < q);
+        prop::collection::btree_set(pair, 0..12)
+    }
+
+    proptest! {
+        #[test]
+        fn sets_of_edges_are_sets_of_pairs(a in ascending_pairs(), b in ascending_pairs()) {
+            let [edges, others] = [&a, &b].map(set);
+            let pairs = |edges: Vec<Edge>| -> Vec<(u32, u32)> {
+                edges.iter().map(|e| (e.a().into(), e.b().into())).collect()
+            };
+            prop_assert_eq!(edges.len(), a.len());
+            prop_assert_eq!(edges.is_empty(), a.is_empty());
+            let lacking: Vec<_> = a.difference(&b).copied().collect();
+            prop_assert_eq!(pairs(edges.difference(&others).collect()), lacking);
+            prop_assert_eq!(edges.as_ref(), edges.edges());
+            prop_assert_eq!(pairs(edges.into_iter().collect()), Vec::from_iter(a));
+        }
+
+        #[test]
+        fn degrees_count_the_pairs_of_a_vertex(pairs in ascending_pairs()) {
+            let edges = set(&pairs);
+            let degree = |v: u32| pairs.iter().filter(|&&(p, q)| p == v || q == v).count();
+            let with = |is_it: fn(usize) -> bool| -> Vec<PointId> {
+                (0..7).filter(|&v| is_it(degree(v))).map(PointId::from).collect()
+            };
+            prop_assert_eq!(edges.isolated(), with(|degree| degree == 0));
+            prop_assert_eq!(edges.leaves(), with(|degree| degree == 1));
+            prop_assert_eq!(edges.junctions(), with(|degree| degree >= 3));
+        }
+    }
 
     #[test]
     fn there_are_no_more_vertices_than_ids() {

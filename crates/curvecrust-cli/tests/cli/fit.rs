@@ -65,6 +65,17 @@ fn a_scattered_circle_in_every_format() {
         "{svg}"
     );
     assert_eq!(folder.run("draw --points scan.csv --fit").fine(), svg);
+    // Outliers are in a group of their own.
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    for (id, count) in [("outliers", 12), ("points", 300)] {
+        let group = document
+            .descendants()
+            .find(|n| n.attribute("id") == Some(id));
+        let nodes = group.unwrap().descendants().skip(1);
+        let nodes: Vec<_> = nodes.filter(roxmltree::Node::is_element).collect();
+        assert_eq!(nodes.len(), count, "{id}");
+        assert!(nodes.iter().all(|n| n.has_tag_name("circle")), "{id}");
+    }
     for format in ["wkt", "dxf"] {
         folder.run(&format!("fit scan.csv --to {format}")).fine();
     }

@@ -214,3 +214,115 @@ fn a_band_is_around_its_curve() {
         assert!((distance(left, right) - width).abs() < 1e-9, "{i}: {width}");
     }
 }
+
+/// Each is a regular polygon of ten pixels around its vertex, the first corner above it. What is
+/// wrong shows in the number of corners.
+#[test]
+fn marks_are_regular_polygons() {
+    let points = "0 0\n1 0\n2 0\n-0.5 0.87\n-1 1.73\n-0.5 -0.87\n-1 -1.73\n9 9\n";
+    let folder = Folder::with("y.xy", points);
+    let line = "draw --points y.xy --edges beta-skeleton --violations";
+    let picture = folder.run(line).fine();
+    let document = Document::parse(&picture).unwrap();
+    let marks = paths(by_id(&document, "violations"));
+    // Three ends, a point alone, and where three edges meet.
+    let expected = [
+        ([2.0, 0.0], 24),
+        ([-1.0, 1.73], 24),
+        ([-1.0, -1.73], 24),
+        ([9.0, 9.0], 4),
+        ([0.0, 0.0], 3),
+    ];
+    assert_eq!(marks.len(), expected.len());
+    let radius = 10.0 * (9.0 + 1.73) / 800.0;
+    for (mark, (vertex, corners)) in marks.iter().zip(expected) {
+        assert_eq!(mark.len(), corners);
+        let above = [vertex[0], vertex[1] - radius];
+        assert!(distance(mark[0], above) < 1e-12);
+        let side = 2.0 * radius * (std::f64::consts::PI / corners as f64).sin();
+        for (i, &corner) in mark.iter().enumerate() {
+            let next = mark[(i + 1) % corners];
+            assert!((distance(corner, vertex) - radius).abs() < 1e-12);
+            assert!((distance(corner, next) - side).abs() < 1e-12);
+        }
+    }
+}
+
+/// The logarithm of lfs is on a scale from the least to the largest, whose colours the legend has.
+#[test]
+fn lfs_has_the_colours_of_the_legend() {
+    let folder = Folder::new();
+    let curve = fixture("curves/bunny.svg").display().to_string();
+    let table = folder.run(&format!("lfs {curve}")).fine();
+    let rows = table
+        .lines()
+        .skip(1)
+        .map(|row| numbers(&row.replace(',', " ")));
+    let values: Vec<([f64; 2], f64)> = rows.map(|row| ([row[1], row[2]], row[3])).collect();
+    let finite = || values.iter().map(|v| v.1).filter(|lfs| lfs.is_finite());
+    let low = finite().fold(f64::INFINITY, f64::min);
+    let high = finite().fold(0.0, f64::max);
+    let picture = folder.run(&format!("draw --curve {curve} --lfs")).fine();
+    let document = Document::parse(&picture).unwrap();
+    let channels = |colour: &str| {
+        let inside = colour
+            .strip_prefix("rgb(")
+            .and_then(|c| c.strip_suffix(')'));
+        <[f64; 3]>::try_from(numbers(&inside.unwrap().replace(',', " "))).unwrap()
+    };
+    let stops = document.descendants().filter(|n| n.has_tag_name("stop"));
+    let stops: Vec<_> = stops
+        .map(|n| channels(n.attribute("stop-color").unwrap()))
+        .collect();
+    for stretch in by_id(&document, "lfs").children().filter(Node::is_element) {
+        let from = numbers(stretch.attribute("d").unwrap());
+        let here = values
+            .iter()
+            .find(|v| distance(v.0, [from[0], from[1]]) <= 0.0);
+        let share = (here.unwrap().1 / low).ln() / (high / low).ln();
+        let at = share * (stops.len() - 1) as f64;
+        let mut before = (0..stops.len() - 1).rev();
+        let below = before.find(|&stop| stop as f64 <= at).unwrap();
+        let found = channels(stretch.attribute("stroke").unwrap());
+        for channel in 0..3 {
+            let [a, b] = [stops[below][channel], stops[below + 1][channel]];
+            // There are eight shades from each stop to the next.
+            let slack = (b - a).abs() / 16.0 + 1.0;
+            let expected = a + (b - a) * (at - below as f64);
+            assert!(
+                (found[channel] - expected).abs() <= slack,
+                "{share}: {found:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn legends_are_below_the_data() {
+    let folder = Folder::with("a.svg", drawing(1.0));
+    folder.write(
+        "a.xy",
+        "0 0\n1 0\n2 0\n-0.5 0.87\n-1 1.73\n-0.5 -0.87\n-1 -1.73\n9 6\n",
+    );
+    let line = "draw --curve a.svg --points a.xy --lfs --edges --why";
+    let picture = folder.run(line).fine();
+    let document = Document::parse(&picture).unwrap();
+    let frame = numbers(document.root_element().attribute("viewBox").unwrap());
+    let [left, right, bottom] = [frame[0], frame[0] + frame[2], frame[1] + frame[3]];
+    for (id, least) in [("legend", 3), ("reasons", 4)] {
+        let group = by_id(&document, id);
+        let mut places = paths(group).concat();
+        for node in group.children().filter(|n| n.has_attribute("x")) {
+            let [x, y, width, height] = ["x", "y", "width", "height"].map(|name| {
+                node.attribute(name)
+                    .map_or(0.0, |n| n.parse::<f64>().unwrap())
+            });
+            places.extend([[x, y], [x + width, y + height]]);
+        }
+        assert!(places.len() >= 2 * least, "{id}");
+        for [x, y] in places {
+            assert!(left < x && x < right, "{id}: {x}");
+            assert!(6.0 < y && y < bottom, "{id}: {y}");
+        }
+    }
+}

@@ -1,13 +1,20 @@
 //! Scans in LAS and LAZ.
 
 use crate::point_files::{error, read};
-use las::{Builder, Point, Vlr, Writer};
+use las::point::Format;
+use las::{Builder, Color, Point, Vlr, Writer};
 use serde_json::json;
 use std::io::Cursor;
 
 /// A scan of so many points of a line.
 fn scan(count: u32, is_packed: bool, vlrs: Vec<Vlr>) -> Vec<u8> {
+    scan_of(Format::default(), count, is_packed, vlrs)
+}
+
+/// The same with points of a format.
+fn scan_of(format: Format, count: u32, is_packed: bool, vlrs: Vec<Vlr>) -> Vec<u8> {
     let mut builder = Builder::from((1, 4));
+    builder.point_format = format;
     builder.point_format.is_compressed = is_packed;
     builder.vlrs = vlrs;
     let bytes = Cursor::new(Vec::new());
@@ -19,6 +26,9 @@ fn scan(count: u32, is_packed: bool, vlrs: Vec<Vlr>) -> Vec<u8> {
                 x,
                 y,
                 z,
+                gps_time: format.has_gps_time.then_some(z),
+                color: format.has_color.then(Color::default),
+                nir: format.has_nir.then_some(1),
                 ..Point::default()
             })
             .unwrap();
@@ -65,6 +75,23 @@ fn points_packed_or_not() {
             points[59_999],
             json!([59_999.0, f64::from(59_999u32.wrapping_pow(2) % 7)])
         );
+    }
+}
+
+/// Formats 6 to 8 are packed in layers, here in one chunk and in two.
+#[test]
+fn points_packed_in_layers() {
+    for format in 6..=8 {
+        for count in [3, 60_000] {
+            let bytes = scan_of(Format::new(format).unwrap(), count, true, vec![]);
+            let (points, _) = read("p.laz", bytes, "--algorithm hnn-crust");
+            let points = points.as_array().unwrap();
+            assert_eq!(points.len(), count as usize, "{format}");
+            for (i, point) in (0..count).zip(points) {
+                let y = i.wrapping_mul(i) % 7;
+                assert_eq!(*point, json!([f64::from(i), f64::from(y)]), "{format}");
+            }
+        }
     }
 }
 

@@ -54,6 +54,18 @@ fn columns_are_known_by_many_names() {
     assert_eq!(read("p.xy", text, "").0, TWO);
 }
 
+/// What stands in quotes neither ends a line nor separates columns.
+#[test]
+fn names_of_columns_may_be_in_quotes() {
+    for name in [
+        "\"name\nof the\npoint\"",
+        "\"name;\tof\nthe\n\"\"best\"\" point\"",
+    ] {
+        let table = format!("{name},x,y\np,1.5,2.5\nq,3,4\n");
+        assert_eq!(read("p.csv", &table, ""), (TWO.to_vec(), vec![]));
+    }
+}
+
 #[test]
 fn columns_can_be_named() {
     let table = "x,y,u,V\n0,0,1.5,2.5\n0,0,3,4\n";

@@ -8,7 +8,7 @@ use super::constants::{
     AHEAD_COSINE, ASIDE, CERTIFIED_COSINE, CLUSTER_EDGES, CONTINUATION_NEIGHBOURS, END, GAP,
     GAP_DEVIATIONS, GAP_EDGES, ISOLATED, LAST_EDGE, LAST_END, LEAST_ISOLATED, LEAST_RUN_EDGES,
     OUTLIER, POSSIBLE_DETOUR, PRIOR_DEVIATION, PRIOR_EDGES, RATIO_SCALE, RATIO_WEIGHT, RUN_EDGES,
-    RUN_END, SPACING_EDGES, SPARSE, STRAIGHT_COSINE, TURN_SCALE, TURN_WEIGHT, UNEVEN,
+    RUN_END, SPACING_EDGES, SPARSE, STRAIGHT_COSINE, TIE, TURN_SCALE, TURN_WEIGHT, UNEVEN,
 };
 
 /// The cost of edges as the module's doc defines it, with brute force for what it depends on.
@@ -19,7 +19,8 @@ pub(crate) struct Definition<'a> {
     /// HNN-Crust without gaps.
     graph: EdgeSet,
     crust: EdgeSet,
-    /// Whether HNN-Crust leaves no free end in the cluster.
+    /// Whether HNN-Crust leaves no free end in the cluster, and only rounding chooses none of its
+    /// edges.
     is_complete: Vec<bool>,
     is_at_gap: Vec<bool>,
     log_spacings: Vec<f64>,
@@ -124,7 +125,7 @@ impl<'a> Definition<'a> {
         });
         let near: Vec<Edge> = near.copied().collect();
         // What is incomplete spreads to all of its cluster.
-        let is_full = |v: PointId| partners(&self.graph, v).len() == 2;
+        let is_full = |v: PointId| partners(&self.graph, v).len() == 2 && !self.is_tied(v);
         let mut is_complete: Vec<bool> = self.points.ids().map(is_full).collect();
         for _ in self.points.ids() {
             for e in &near {
@@ -134,6 +135,24 @@ impl<'a> Definition<'a> {
             }
         }
         is_complete
+    }
+
+    /// Whether a candidate without an edge to the point is as near as the nearer partner, or near
+    /// enough to be the half neighbour.
+    fn is_tied(&self, v: PointId) -> bool {
+        let mut joined = partners(&self.graph, v);
+        joined.sort_by(|&p, &q| self.length(v, p).total_cmp(&self.length(v, q)));
+        let (Some(&nearest), Some(&farthest)) = (joined.first(), joined.last()) else {
+            return false;
+        };
+        let others = partners(&self.candidates, v).into_iter();
+        let mut others = others.filter(|w| !joined.contains(w));
+        others.any(|w| {
+            let is_as_near = self.length(v, w) <= TIE * self.length(v, nearest);
+            let may_be_half = self.length(v, w) <= TIE * self.length(v, farthest)
+                && self.length(v, w) < TIE * self.length(w, nearest);
+            is_as_near || may_be_half
+        })
     }
 
     fn remove_gaps(&mut self) {
