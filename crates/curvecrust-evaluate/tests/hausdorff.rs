@@ -38,8 +38,8 @@ fn inscribed_regular_polygons() {
     }
 }
 
-/// The chords of a coarse reference lie inside of the circle by up to the flatness, which the bounds
-/// have to make up for, on either side.
+/// The chords of a coarse reference lie inside of the circle by up to the flatness, which the
+/// bounds have to make up for, on either side.
 #[test]
 fn bounds_hold_whatever_the_flatness() {
     let circle = Curve::from_path_data(CIRCLE).unwrap();
