@@ -95,15 +95,12 @@ impl Outlines {
 
 /// Every so many points of a ring, and without the first one again at its end.
 fn thinned(ring: &[[f64; 2]], every: usize) -> Vec<DVec2> {
-    let ring = match ring {
-        [first, inner @ .., last] if first == last && !inner.is_empty() => &ring[..ring.len() - 1],
-        _ => ring,
-    };
+    let mut ring: Vec<DVec2> = ring.iter().copied().map(DVec2::from_array).collect();
+    if ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
     let every = every.clamp(1, (ring.len() / 3).max(1));
-    ring.iter()
-        .step_by(every)
-        .map(|&p| DVec2::from_array(p))
-        .collect()
+    ring.into_iter().step_by(every).collect()
 }
 
 #[cfg(test)]
