@@ -27,6 +27,7 @@ pub mod axis;
 mod cell;
 pub mod cells;
 pub mod chart;
+mod drawn;
 mod experiment;
 mod fourier;
 pub mod heat_map;

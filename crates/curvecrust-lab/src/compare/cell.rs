@@ -1,6 +1,7 @@
 //! A cell: one input at one value of the sweep, from which each trial draws points with a known
 //! truth.
 
+use super::drawn::Sampled;
 use super::experiment::{Ends, Experiment, Input, Over, Tip};
 use super::jumps::{Bound, Jumps};
 use super::outlines::Outlines;
@@ -27,14 +28,6 @@ pub(super) struct Job {
     pub(super) outlines: Option<Arc<Outlines>>,
     pub(super) x: f64,
     pub(super) trials: u32,
-}
-
-/// Points with a known truth.
-pub(super) struct Sampled {
-    pub(super) points: PointSet,
-    pub(super) boundary: EdgeSet,
-    /// The ends of open curves, if algorithms are to be told.
-    pub(super) termini: Vec<PointId>,
 }
 
 /// A job that is ready for its trials.

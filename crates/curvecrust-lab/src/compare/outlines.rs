@@ -3,8 +3,7 @@
 //! Each line of a file is a JSON object with a `name` and `rings`, lists of pairs. The rings are
 //! the truth: an edge joins each point to the next one.
 
-use super::cell::Sampled;
-use super::trial::Drawn;
+use super::drawn::{Drawn, Sampled};
 use super::true_curves::TrueCurves;
 use anyhow::{Context, ensure};
 use curvecrust::DVec2;

@@ -5,12 +5,13 @@
 //! are the start of what one run would have written.
 
 use super::cell::{self, Fixtures, Job};
+use super::drawn::Drawn;
 use super::experiment::Input;
 use super::plan::Plan;
 use super::progress;
 use super::records;
 use super::scale;
-use super::trial::{self, Done, Drawn};
+use super::trial::{self, Done};
 use crate::compare::rows::{Row, Timing};
 use anyhow::{Context, ensure};
 use indicatif::ProgressBar;

@@ -1,14 +1,14 @@
 //! One cell run: every trial by every algorithm, as rows and their times.
 
 use super::algorithms;
-use super::cell::{Job, Sampled};
+use super::cell::Job;
+use super::drawn::{Drawn, Sampled};
 use super::seed::seed_of;
 use super::true_curves::TrueCurves;
 use crate::compare::rows::{Row, Timing};
 use curvecrust::evaluate::{Bounds, Evaluation, Kind, Output, Truth};
 use curvecrust::geometry::EdgeSet;
 use curvecrust::reconstruct::Reconstructor;
-use std::sync::Arc;
 use std::time::Instant;
 
 /// How far apart the bounds of distances are, in extents.
@@ -19,12 +19,6 @@ const TOLERANCE: f64 = 1e-3;
 pub(super) struct Done {
     pub(super) rows: Vec<Row>,
     pub(super) times: Vec<Timing>,
-}
-
-/// The points of a trial, and the curves that they are of.
-pub(super) struct Drawn {
-    pub(super) sampled: Sampled,
-    pub(super) curves: Arc<TrueCurves>,
 }
 
 /// Runs a cell, whose points are drawn by the number of the trial and its seed; `None` if it was
