@@ -1,11 +1,12 @@
 //! Where dense polylines cross, and where the curve itself does.
 
-use curvecrust_curve::{CubicBezier, Curve, DenseCurve};
+use curvecrust_curve::{Curve, DenseCurve};
 use curvecrust_geometry::{DVec2, Segment, orient2d};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{RTree, RTreeObject};
 
 use crate::error::MedialAxisError;
+use crate::span::Span;
 
 /// The chord of the gap after dense point `i`; a point where a curve ends.
 pub(crate) fn chord(dense: &DenseCurve, i: usize) -> Segment {
@@ -15,14 +16,8 @@ pub(crate) fn chord(dense: &DenseCurve, i: usize) -> Segment {
 
 /// The first proper crossing of one of the `gaps` with any chord of the curve.
 pub(crate) fn find(dense: &DenseCurve, gaps: &[usize]) -> Option<MedialAxisError> {
-    gaps.iter().find_map(|&gap| {
-        let this = chord(dense, gap);
-        (0..dense.len()).find_map(|other| {
-            let at = crossing_point(this, chord(dense, other))?;
-            let components = [gap, other].map(|i| dense.component_of(i));
-            Some(MedialAxisError::Crossing { at, components })
-        })
-    })
+    let (pair, at) = crossing_chords(dense, gaps).next()?;
+    Some(error(dense, pair, at))
 }
 
 /// A crossing of the curve itself, by a chord of `gaps` and another one that cross: they still do
@@ -35,24 +30,41 @@ pub(crate) fn of_curve(
     dense: &DenseCurve,
     gaps: &[usize],
 ) -> Option<MedialAxisError> {
-    let chords = (0..dense.len()).filter(|&i| dense.next(i).is_some());
+    let params = dense.params();
+    let span = |i: usize| Span::new(curve, params[i], params[dense.next(i).unwrap_or(i)]);
+    crossing_chords(dense, gaps).find_map(|(pair, _)| {
+        let at = halved(pair.map(span))?;
+        Some(error(dense, pair, at))
+    })
+}
+
+/// The chords that cross chords of `gaps` properly, gap by gap, and where.
+fn crossing_chords<'a>(
+    dense: &'a DenseCurve,
+    gaps: &'a [usize],
+) -> impl Iterator<Item = ([usize; 2], DVec2)> + 'a {
     let boxed = |i: usize| {
         let Segment { a, b } = chord(dense, i);
-        let rectangle = Rectangle::from_corners(a.to_array(), b.to_array());
-        GeomWithData::new(rectangle, i)
+        GeomWithData::new(Rectangle::from_corners(a.to_array(), b.to_array()), i)
     };
-    let tree = RTree::bulk_load(chords.map(boxed).collect());
-    gaps.iter().find_map(|&gap| {
+    // Most curves have no such gap in the end.
+    let chords = if gaps.is_empty() { 0 } else { dense.len() };
+    let tree = RTree::bulk_load((0..chords).map(boxed).collect());
+    gaps.iter().flat_map(move |&gap| {
+        let this = chord(dense, gap);
         let near = tree.locate_in_envelope_intersecting(boxed(gap).envelope());
         let mut others: Vec<usize> = near.map(|other| other.data).collect();
         others.sort_unstable();
-        others.into_iter().find_map(|other| {
-            let pieces = [gap, other].map(|i| Piece::of_gap(curve, dense, i));
-            let at = halved(pieces)?;
-            let components = [gap, other].map(|i| dense.component_of(i));
-            Some(MedialAxisError::Crossing { at, components })
+        others.into_iter().filter_map(move |other| {
+            let at = crossing_point(this, chord(dense, other))?;
+            Some(([gap, other], at))
         })
     })
+}
+
+fn error(dense: &DenseCurve, chords: [usize; 2], at: DVec2) -> MedialAxisError {
+    let components = chords.map(|i| dense.component_of(i));
+    MedialAxisError::Crossing { at, components }
 }
 
 /// A gap is halved so often, to a millionth of it.
@@ -60,49 +72,12 @@ const HALVINGS: u32 = 20;
 /// A crossing is found among four pairs for each halving.
 const MOST_PAIRS: u32 = 8 * HALVINGS;
 
-/// A part of a segment of the curve, between two parameters.
-#[derive(Clone, Copy)]
-struct Piece<'a> {
-    segment: &'a CubicBezier,
-    from: f64,
-    to: f64,
-}
-
-impl<'a> Piece<'a> {
-    fn of_gap(curve: &'a Curve, dense: &DenseCurve, i: usize) -> Self {
-        let from = dense.params()[i];
-        let to = dense.params()[dense.next(i).unwrap_or(i)];
-        let is_within = to.segment == from.segment && to.t > from.t;
-        Self {
-            segment: &curve.components()[from.component as usize].segments()[from.segment as usize],
-            from: from.t,
-            to: if is_within { to.t } else { 1.0 },
-        }
-    }
-
-    fn chord(self) -> Segment {
-        Segment::new(self.segment.point(self.from), self.segment.point(self.to))
-    }
-
-    fn halves(self) -> [Self; 2] {
-        let middle = f64::midpoint(self.from, self.to);
-        [
-            Self { to: middle, ..self },
-            Self {
-                from: middle,
-                ..self
-            },
-        ]
-    }
-}
-
-/// Where two pieces cross: their chords do, and those of halves of them, so many times. `None` also
-/// where that is not found among so many pairs, as for pieces that lie on each other.
-fn halved(pieces: [Piece<'_>; 2]) -> Option<DVec2> {
-    let mut open = vec![(pieces, 0)];
+/// Where two spans cross: their chords do, and those of halves of them, so many times. `None` also
+/// where that is not found among so many pairs, as for spans that lie on each other.
+fn halved(spans: [Span<'_>; 2]) -> Option<DVec2> {
+    let mut open = vec![(spans, 0)];
     for _ in 0..MOST_PAIRS {
-        let (pieces, halvings) = open.pop()?;
-        let [first, second] = pieces;
+        let ([first, second], halvings) = open.pop()?;
         let Some(at) = crossing_point(first.chord(), second.chord()) else {
             continue;
         };

@@ -4,16 +4,15 @@ use curvecrust_curve::{CubicBezier, Curve, CurveParam, DenseCurve};
 use curvecrust_geometry::{DVec2, SegmentTree};
 
 use crate::crossing::chord;
+use crate::span::{Span, segment};
 
 /// The smaller radius of curvature at the two ends of a gap, seen from within its segment: an upper
 /// bound of lfs there, which a coarse medial axis may not show yet. Infinite where the curve does
 /// not bend or its parameter stands still.
 pub(crate) fn least_radius(curve: &Curve, from: CurveParam, to: CurveParam) -> f64 {
-    let bezier = segment(curve, from);
-    let within = to.segment == from.segment && to.t > from.t;
-    let end = if within { to.t } else { 1.0 };
-    let radius = |t: f64| 1.0 / curvature(bezier, t).abs();
-    radius(from.t).min(radius(end))
+    let span = Span::new(curve, from, to);
+    let radius = |t: f64| 1.0 / curvature(span.segment, t).abs();
+    radius(span.from).min(radius(span.to))
 }
 
 /// The centres of curvature on both sides of every join that belong to the medial axis, each with
@@ -53,10 +52,6 @@ pub(crate) fn centres_at_joins(
             (distance >= free * radius.abs()).then_some((i, centre))
         })
         .collect()
-}
-
-fn segment(curve: &Curve, at: CurveParam) -> &CubicBezier {
-    &curve.components()[at.component as usize].segments()[at.segment as usize]
 }
 
 /// Signed: positive where the curve turns left; 0 where its parameter stands still.

@@ -32,6 +32,7 @@ mod gaps;
 pub mod lfs;
 pub mod pieces;
 pub mod shrinking_ball;
+mod span;
 mod strokes;
 
 pub use axis::{AxisEdge, MedialAxis};
