@@ -11,11 +11,11 @@ mod search;
 mod shape;
 
 use crate::compare::algorithms::named;
-use crate::root;
+use crate::repository::{files, root};
 use anyhow::Context;
 use curvecrust::reconstruct::Reconstructor;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub use dense::Dense;
 pub(crate) use picture::made;
@@ -36,13 +36,7 @@ pub struct Counterexample {
 /// # Errors
 /// If a file cannot be read or is none.
 pub fn all() -> anyhow::Result<Vec<Counterexample>> {
-    let folder = root().join("fixtures/counterexamples");
-    let mut paths: Vec<PathBuf> = Vec::new();
-    for entry in fs::read_dir(folder).context("cannot read fixtures/counterexamples")? {
-        paths.push(entry?.path());
-    }
-    paths.retain(|path| path.extension().is_some_and(|e| e == "splines"));
-    paths.sort();
+    let paths = files(&root().join("fixtures/counterexamples"), "splines")?;
     let all = paths
         .iter()
         .map(|path| read(path, Counterexample::from_text));

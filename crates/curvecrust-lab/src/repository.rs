@@ -25,6 +25,21 @@ pub fn output_of(program: &str, arguments: &[&str]) -> Option<String> {
     text.ok().filter(|text| !text.is_empty())
 }
 
+/// The files of a folder whose names have an extension, in the order of their names.
+///
+/// # Errors
+/// If the folder cannot be read: with its path.
+pub(crate) fn files(folder: &Path, extension: &str) -> anyhow::Result<Vec<PathBuf>> {
+    let place = || format!("cannot read {}", folder.display());
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder).with_context(place)? {
+        paths.push(entry.with_context(place)?.path());
+    }
+    paths.retain(|path| path.extension().is_some_and(|e| e == extension));
+    paths.sort();
+    Ok(paths)
+}
+
 /// Writes beside the target and renames: a reader never sees half a file.
 ///
 /// # Errors

@@ -9,7 +9,7 @@ use super::shapes;
 use super::true_curves::{Named, Part, TrueCurves};
 use anyhow::Context;
 use curvecrust::DVec2;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet, Random};
+use curvecrust::geometry::{Component, EdgeSet, PointId, PointSet, Random};
 use curvecrust::sampling::{Outliers, with_outliers};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -184,18 +184,15 @@ impl Cell {
             };
             let first = points.len();
             points.extend(samples);
-            let ids: Vec<PointId> = (first..points.len()).filter_map(PointId::new).collect();
-            let next = ids.iter().cycle().skip(1);
-            let count = ids.len() - usize::from(!part.closed);
-            edges.extend(
-                ids.iter()
-                    .zip(next)
-                    .take(count)
-                    .filter_map(|(&p, &q)| Edge::new(p, q)),
-            );
+            let component = Component {
+                range: first..points.len(),
+                closed: part.closed,
+            };
+            edges.extend(component.edges());
             if !part.closed && self.ends == Ends::Marked {
-                termini.extend(ids.first());
-                termini.extend(ids.last());
+                let mut inner = first..points.len();
+                let ends = [inner.next(), inner.next_back()];
+                termini.extend(ends.into_iter().flatten().filter_map(PointId::new));
             }
         }
         let boundary = EdgeSet::new(points.len(), edges);

@@ -2,7 +2,7 @@
 
 use super::algorithms;
 use crate::compare::results;
-use crate::repository::root;
+use crate::repository::{files, root};
 use anyhow::{Context, ensure};
 use serde::Deserialize;
 use std::fs;
@@ -211,15 +211,8 @@ pub(super) struct Known {
 
 /// The experiments of the repository, by name.
 pub(super) fn all() -> anyhow::Result<Vec<Experiment>> {
-    let folder = root().join("benches/experiments");
     let mut found = Vec::new();
-    let entries =
-        fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
-    for entry in entries {
-        let path = entry?.path();
-        if path.extension().is_none_or(|e| e != "toml") {
-            continue;
-        }
+    for path in files(&root().join("benches/experiments"), "toml")? {
         let text =
             fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();

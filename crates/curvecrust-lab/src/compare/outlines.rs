@@ -5,12 +5,13 @@
 
 use super::drawn::{Drawn, Sampled};
 use super::true_curves::TrueCurves;
+use crate::repository::files;
 use anyhow::{Context, ensure};
 use curvecrust::DVec2;
-use curvecrust::geometry::{Edge, EdgeSet, PointId, PointSet};
+use curvecrust::geometry::{Component, EdgeSet, PointSet};
 use serde::Deserialize;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// A file of outlines.
@@ -30,18 +31,12 @@ struct Outline {
 
 /// The files of a folder that end in `.ndjson`, by their names.
 pub(super) fn of_folder(folder: &Path) -> anyhow::Result<Vec<Outlines>> {
-    let place = || format!("cannot read {}", folder.display());
-    let mut paths: Vec<PathBuf> = Vec::new();
-    for entry in fs::read_dir(folder).with_context(place)? {
-        paths.push(entry.with_context(place)?.path());
-    }
-    paths.retain(|path| path.extension().is_some_and(|e| e == "ndjson"));
+    let paths = files(folder, "ndjson")?;
     ensure!(
         !paths.is_empty(),
         "{} has no file that ends in .ndjson",
         folder.display()
     );
-    paths.sort();
     paths.iter().map(|path| Outlines::read(path)).collect()
 }
 
@@ -74,10 +69,15 @@ impl Outlines {
         let mut edges = Vec::new();
         let mut first = 0;
         for ring in &rings {
-            let ids = (first..first + ring.len()).filter_map(PointId::new);
-            let next = ids.clone().cycle().skip(1);
-            edges.extend(ids.zip(next).filter_map(|(p, q)| Edge::new(p, q)));
-            first += ring.len();
+            let range = first..first + ring.len();
+            first = range.end;
+            edges.extend(
+                Component {
+                    range,
+                    closed: true,
+                }
+                .edges(),
+            );
         }
         let points = PointSet::new(rings.concat()).with_context(|| outline.name.clone())?;
         let parts = rings.into_iter().map(|ring| (ring, true)).collect();
