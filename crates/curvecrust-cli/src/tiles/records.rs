@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 /// Bytes that are written to the system or read from it at once.
 pub(super) const BUFFER: usize = 1 << 18;
 
-/// No sample has this id.
-const NONE: u64 = u64::MAX;
+/// No sample has this id, and nothing else this number.
+pub(super) const NONE: u64 = u64::MAX;
 
 /// What is stored in a fixed number of words.
 pub(super) trait Record<const WORDS: usize>: Sized {

@@ -7,10 +7,10 @@
 
 use super::link::Across;
 use super::number::read_words;
-use super::row::{NONE, Nested, Row};
+use super::row::{Nested, Row};
 use super::trace::Traced;
 use super::{Progress, Solved};
-use crate::tiles::records::{self, put, put_words};
+use crate::tiles::records::{self, NONE, put, put_words};
 use curvecrust::DVec2;
 use curvecrust::tiles::{Crossings, Sample, surrounding};
 use std::io::Write;

@@ -21,14 +21,11 @@ pub(super) struct Row {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Nested {
     pub(super) row: Row,
-    /// How many rings lie around a ring; [`NONE`] for an open curve.
+    /// How many rings lie around a ring; `records::NONE` for an open curve.
     pub(super) nesting: u64,
-    /// The number of the ring right around it; [`NONE`] if there is none.
+    /// The number of the ring right around it; `records::NONE` if there is none.
     pub(super) parent: u64,
 }
-
-/// No number of anything.
-pub(super) const NONE: u64 = u64::MAX;
 
 /// The bytes of a [`Row`], and of a [`Nested`] one.
 pub(super) const ROW_BYTES: usize = 8 * 12;

@@ -1,7 +1,6 @@
 //! What is stored of the pieces of a tile that are no whole curves.
 
-use super::row::NONE;
-use crate::tiles::records::{Record, get_words, put_words};
+use crate::tiles::records::{NONE, Record, get_words, put_words};
 use curvecrust::DVec2;
 use curvecrust::tiles::{Area, ExactSum, Least, PieceSummary};
 use std::io::{self, Read, Write};

@@ -3,12 +3,12 @@
 use super::link::Across;
 use super::number::read_words;
 use super::place::Folder;
-use super::row::{NESTED_BYTES, NONE, Nested, Row, id};
+use super::row::{NESTED_BYTES, Nested, Row, id};
 use super::trace::Traced;
 use super::{Progress, Solved};
 use crate::output::npy;
 use crate::tiles::merge::Merge;
-use crate::tiles::records::{self, Record};
+use crate::tiles::records::{self, NONE, Record};
 use curvecrust::tiles::{PieceSummary, Sample};
 use std::fs;
 use std::io::{self, Write};
