@@ -75,12 +75,12 @@ export function rays(figure, count) {
   return found;
 }
 
-/** Where the bisector of s0 and s1 meets the circle through s2, above the curve. */
-export function corner({ s0, radius }) {
+/** Where the bisector of s0 and s1 meets the circle through s2: above the curve, and below. */
+export function bisectorEnds({ s0, radius }) {
   const length = Math.hypot(...s0);
   const [ux, uy] = [s0[0] / length, s0[1] / length];
   const across = Math.sqrt(radius * radius - (length * length) / 4);
-  return [(length / 2) * ux + across * uy, (length / 2) * uy - across * ux];
+  return [across, -across].map((far) => [(length / 2) * ux + far * uy, (length / 2) * uy - far * ux]);
 }
 
 /** How far the balls reach beyond a place, negative where it is in none. */
@@ -99,7 +99,8 @@ const BESIDE = 0.05;
 /** The place that is covered least, and how far balls reach beyond it; the corner, if all is. */
 export function weakest(figure) {
   const rolling = balls(figure, STEPS);
-  let found = { place: corner(figure), spare: spare(rolling, corner(figure)) };
+  const [corner] = bisectorEnds(figure);
+  let found = { place: corner, spare: spare(rolling, corner) };
   for (const { direction, from, to } of rays(figure, RAYS)) {
     for (let i = 1; i <= ALONG; i++) {
       const length = from + ((to - from) * i) / ALONG;

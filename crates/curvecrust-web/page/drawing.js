@@ -1,6 +1,6 @@
 // Strokes that are drawn in a picture, and bent: by a pointer or by keys.
 
-import { boxOf, ring, strokeSegments } from "./plot.js";
+import { boxOf, ring, stepped, strokeSegments } from "./plot.js";
 import * as curve from "./stroke.js";
 
 const POINT = -1;
@@ -159,8 +159,7 @@ export class Drawing {
     if (all.length === 0) return;
     const { index, node } = this.selected ?? {};
     const at = all.findIndex((other) => other.index === index && other.node === node);
-    const next = at < 0 ? (by > 0 ? 0 : all.length - 1) : (at + by + all.length) % all.length;
-    this.select(all[next], true);
+    this.select(all[stepped(at, by, all.length)], true);
   }
 
   /** From the point to its handles, one after the other, and back. */

@@ -1,6 +1,6 @@
 // The figures of the guided page: a section with words, and points that can be dragged.
 
-import { Plot, ring } from "./plot.js";
+import { Plot, ring, stepped } from "./plot.js";
 
 const plots = [];
 
@@ -62,10 +62,7 @@ export function draggable(plot, { places, put, tell }) {
     [selected, held] = [point, hold];
     tell();
   };
-  const step = (by) => {
-    const count = places().length / 2;
-    select(((selected < 0 && by < 0 ? 0 : selected) + by + count) % count, true);
-  };
+  const step = (by) => select(stepped(selected, by, places().length / 2), true);
   const place = () => places().slice(2 * selected, 2 * selected + 2);
   const pick = (x, y, within) => {
     const found = plot.nearest(places(), x, y, within + 6);

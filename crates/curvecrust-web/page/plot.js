@@ -226,3 +226,6 @@ export function toSegment(x, y, [ax, ay], [bx, by]) {
   const share = Math.min(1, Math.max(0, t));
   return [Math.hypot(x - ax - share * dx, y - ay - share * dy), share];
 }
+
+/** The index `by` steps from another one, around; from none, -1, the first or the last one. */
+export const stepped = (from, by, count) => ((from < 0 && by < 0 ? 0 : from) + by + count) % count;

@@ -2,7 +2,7 @@
 
 import { ALGORITHMS } from "./algorithms.js";
 import { Lane } from "./engine.js";
-import { Plot, boxOf, fillPoints, ring, strokeEdges, toSegment } from "./plot.js";
+import { Plot, boxOf, fillPoints, ring, stepped, strokeEdges, toSegment } from "./plot.js";
 import { whyEdge, whyEnd } from "./reasons.js";
 import { save } from "./save.js";
 
@@ -316,15 +316,13 @@ function pressKey(side, key) {
 function stepEdge(side, by) {
   const count = (side.answer?.edges.length ?? 0) / 2;
   if (count === 0) return;
-  const from = marked?.side === side ? marked.edge : by > 0 ? -1 : 0;
-  mark(side, (from + by + count) % count, -1);
+  mark(side, stepped(marked?.side === side ? marked.edge : -1, by, count), -1);
 }
 
 function stepPoint(by) {
   const count = points.length / 2;
   if (count === 0) return;
-  const from = selected < 0 && by < 0 ? 0 : selected;
-  select((from + by + count) % count, true);
+  select(stepped(selected, by, count), true);
 }
 
 /** Adds a point at the cross; beside the point that is held, if one is. */

@@ -1,6 +1,6 @@
 // The step of the guided page with the paper's Figure 8, whose points can be dragged.
 
-import { balls, layout, rays, steepest, weakest } from "./cover.js";
+import { balls, bisectorEnds, layout, rays, steepest, weakest } from "./cover.js";
 import { circle, draggable, section } from "./figure.js";
 import { fillPoints, strokeSegments } from "./plot.js";
 
@@ -151,10 +151,7 @@ function paintConstruction(g, plot, colour, figure) {
   const { s0, s2, radius, bend, bendRight } = figure;
   g.setLineDash([5, 5]);
   circle(g, plot, 0, 0, radius, colour("soft"));
-  const length = Math.hypot(...s0);
-  const far = Math.sqrt(radius ** 2 - length ** 2 / 4) / length;
-  const end = (side) => [s0[0] / 2 + side * far * s0[1], s0[1] / 2 - side * far * s0[0]];
-  strokeSegments(g, plot, [...end(1), ...end(-1)]);
+  strokeSegments(g, plot, bisectorEnds(figure).flat());
   g.setLineDash([]);
   g.strokeStyle = colour("curve");
   g.lineWidth = 3;
