@@ -7,11 +7,13 @@ use std::env;
 use std::ffi::OsString;
 use std::process::{Command, Stdio};
 
-/// The cargo that runs this task, at the root.
+/// The cargo that runs this task, at the root. Each step builds once: what cargo keeps to build
+/// again would fill the disk.
 pub(super) fn command() -> Command {
     let program = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let mut command = Command::new(program);
     command.current_dir(root()).stdin(Stdio::null());
+    command.env("CARGO_INCREMENTAL", "0");
     command
 }
 

@@ -73,17 +73,22 @@ fn algorithms(points: &PointSet) -> impl Iterator<Item = &'static dyn Reconstruc
     all.filter(move |algorithm| is_small || algorithm.info().name != "shortest-tour")
 }
 
-/// The same for `moved` as for `points`, for all algorithms.
+/// The same for `moved` as for `points`, for all algorithms; tours may differ that are equally
+/// long to rounding.
 fn same_edges(points: &PointSet, moved: Option<&PointSet>) -> Result<(), TestCaseError> {
     let Some(moved) = moved else { return Ok(()) };
     for algorithm in algorithms(points) {
         let name = algorithm.info().name;
-        prop_assert_eq!(
-            algorithm.reconstruct(moved),
-            algorithm.reconstruct(points),
-            "{}",
-            name
-        );
+        let [found, expected] = [moved, points].map(|set| algorithm.reconstruct(set));
+        let is_as_long = || {
+            let [found, expected] = [&found, &expected].map(|tour| tours::length(points, tour));
+            (found - expected).abs() <= 1e-14 * expected
+        };
+        let is_tie =
+            name == "shortest-tour" && tours::fault(points, &found).is_none() && is_as_long();
+        if !is_tie {
+            prop_assert_eq!(found, expected, "{}", name);
+        }
     }
     Ok(())
 }
