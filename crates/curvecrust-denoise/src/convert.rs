@@ -7,6 +7,7 @@ use curvecrust_reconstruct::Reconstruction;
 
 use crate::fitted::{Fitted, FittedCurve, Place};
 use crate::model::{Arc, Model};
+use crate::spline::{Spline, breaks};
 
 /// The result for clean points, of which some stay; the edges are between these.
 pub(crate) fn clean(points: &PointSet, stays: &[bool], edges: EdgeSet) -> Fitted {
@@ -109,10 +110,12 @@ pub(crate) fn noisy(
         curve_of[arc] = curve;
         curves.push(fitted_curve(&model.arcs[arc], points[arc], to_unit));
     }
+    let joints = |arc: &Arc| breaks(arc.from, arc.to);
+    let joints: Vec<Vec<f64>> = model.arcs.iter().map(joints).collect();
     for (&i, assigned) in order.iter().zip(&model.assigned) {
         places[i] = assigned.map(|a| Place {
             curve: curve_of[a.arc],
-            parameter: parameter(&model.arcs[a.arc], a.parameter),
+            parameter: parameter(&joints[a.arc], a.parameter),
             distance: to_unit.invert_length(a.distance),
         });
     }
@@ -130,12 +133,7 @@ fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
         .into_iter()
         .map(|cubic| cubic.map(|p| to_unit.invert(p)))
         .collect();
-    let joint = |k: usize| match k {
-        0 => arc.from,
-        k if k == cubics.len() => arc.to,
-        k => arc.from.floor() + k as f64,
-    };
-    let joints: Vec<f64> = (0..=cubics.len()).map(joint).collect();
+    let joints = breaks(arc.from, arc.to);
     let lengths = |value: &dyn Fn(f64) -> f64| {
         joints
             .iter()
@@ -144,7 +142,7 @@ fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
     };
     FittedCurve {
         closed: spline.closed(),
-        corners: corners(arc, cubics.len()),
+        corners: corners(spline, &joints),
         sigma: lengths(&|t| arc.fit.spread.at(t)),
         standard_error: lengths(&|t| arc.fit.standard_error(t)),
         points,
@@ -152,30 +150,21 @@ fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
     }
 }
 
-/// The joints of the cubics of an arc that are creases, ends of an open one aside.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a parameter of the spline"
-)]
-fn corners(arc: &Arc, cubics: usize) -> Vec<usize> {
-    let start = arc.from.floor() as usize;
-    let joints = arc.fit.spline.creases().iter();
-    let joints = joints.filter_map(|crease| crease.checked_sub(start));
-    let is_inner = |&k: &usize| arc.fit.spline.closed() || (1..cubics).contains(&k);
-    joints.filter(is_inner).collect()
+/// Those of the joints of cubics that are creases, ends of an open curve aside.
+#[expect(clippy::float_cmp, reason = "joints between ends are whole numbers")]
+fn corners(spline: &Spline, joints: &[f64]) -> Vec<usize> {
+    let joint_at = |&crease: &usize| joints.iter().position(|&t| t == crease as f64);
+    let is_inner = |&k: &usize| spline.closed() || (1..joints.len() - 1).contains(&k);
+    let corners = spline.creases().iter().filter_map(joint_at);
+    corners.filter(is_inner).collect()
 }
 
-/// The parameter on the cubics of an arc for one of its spline.
-fn parameter(arc: &Arc, t: f64) -> f64 {
-    let t = t.clamp(arc.from, arc.to);
-    let start = t.floor().max(arc.from);
-    let next = (t.floor() + 1.0).min(arc.to);
-    let piece = t.floor() - arc.from.floor();
-    let share = if next > start {
-        (t - start) / (next - start)
-    } else {
-        0.0
-    };
-    piece + share.clamp(0.0, 1.0)
+/// The parameter on cubics with these joints for one of the spline.
+fn parameter(joints: &[f64], t: f64) -> f64 {
+    let after = joints.partition_point(|&joint| joint <= t);
+    match (after.checked_sub(1), joints.get(after)) {
+        (Some(k), Some(&next)) => k as f64 + (t - joints[k]) / (next - joints[k]),
+        (Some(k), None) => k as f64,
+        (None, _) => 0.0,
+    }
 }

@@ -11,6 +11,7 @@ mod spread;
 mod start;
 mod system;
 
+pub(crate) use basis::{Spline, breaks};
 pub(crate) use fit::{Fit, fit};
 pub(crate) use guide::Guide;
 pub(crate) use nearest::Samples;

@@ -172,6 +172,41 @@ fn points_a_few_ulps_apart_are_the_same_in_any_order() {
     }
 }
 
+/// An arc whose end is a rounding error beyond a knot has no cubic there, and no point is on it.
+#[test]
+fn places_are_on_the_cubics() {
+    // A ring of a few ulps, and three points afar.
+    let points = [
+        (4.304788882405838e-42, -2.8698592549372254e-42),
+        (1.4349296274686127e-42, -8.609577764811676e-42),
+        (-5.739718509874451e-42, 3.587324068671532e-42),
+        (1.4349296274686052e-42, -8.609577764811676e-42),
+        (1.434929627468606e-42, -8.60957776481168e-42),
+        (1.4349296274686084e-42, -8.609577764811682e-42),
+        (1.4349296274686117e-42, -8.609577764811684e-42),
+        (1.4349296274686152e-42, -8.609577764811684e-42),
+        (1.4349296274686184e-42, -8.609577764811681e-42),
+        (1.43492962746862e-42, -8.609577764811677e-42),
+        (1.43492962746862e-42, -8.609577764811675e-42),
+        (1.4349296274686184e-42, -8.609577764811671e-42),
+        (1.4349296274686152e-42, -8.609577764811668e-42),
+        (1.4349296274686117e-42, -8.609577764811668e-42),
+        (1.4349296274686084e-42, -8.60957776481167e-42),
+        (1.434929627468606e-42, -8.609577764811672e-42),
+    ];
+    let points = points.map(DVec2::from).to_vec();
+    let points = PointSet::merging_duplicates(points).unwrap().points;
+    let fitted = denoise(&points);
+    assert!(!fitted.is_clean());
+    for place in fitted.places.iter().flatten() {
+        let cubics = fitted.curves[place.curve].cubics.len();
+        assert!(
+            (0.0..=cubics as f64).contains(&place.parameter),
+            "{place:?}"
+        );
+    }
+}
+
 /// Of many points some stand for those about them.
 #[test]
 fn many_points_give_one_ring_in_any_order() {

@@ -4,6 +4,9 @@ use glam::DVec2;
 
 use super::knots::{Knots, Row, wrapped};
 
+/// A piece of a spline that is no longer than this is none.
+const SLIVER: f64 = 1e-9;
+
 /// How far inside of an interval the spline is evaluated at its end, which belongs to two.
 const INSIDE: f64 = 1e-12;
 
@@ -54,16 +57,9 @@ impl Spline {
 
     /// The Bézier pieces from one parameter to a later one.
     pub(crate) fn beziers(&self, from: f64, to: f64) -> Vec<[DVec2; 4]> {
-        let mut pieces = Vec::new();
-        let mut start = from;
-        while start < to {
-            let next = (start.floor() + 1.0).min(to);
-            // A sliver at an end would only be a rounding error long.
-            if next - start > 1e-9 {
-                pieces.push(self.bezier(start, next));
-            }
-            start = next;
-        }
+        let breaks = breaks(from, to);
+        let pairs = breaks.windows(2);
+        let mut pieces: Vec<_> = pairs.map(|pair| self.bezier(pair[0], pair[1])).collect();
         if let (true, [first, .., last]) = (self.closed(), &mut *pieces) {
             last[3] = first[0];
         }
@@ -85,6 +81,26 @@ impl Spline {
         let [da, db] = ends.map(|row| row.tangent(&self.controls) * third);
         [a, a + da, b - db, b]
     }
+}
+
+/// Where the cubics between two parameters begin, and the last ends: at the parameters and at the
+/// whole numbers between. One alone if there is no cubic.
+pub(crate) fn breaks(from: f64, to: f64) -> Vec<f64> {
+    // A sliver at an end would only be a rounding error long.
+    let from = if from.ceil() - from > SLIVER {
+        from
+    } else {
+        from.ceil()
+    };
+    let to = if to - to.floor() > SLIVER {
+        to
+    } else {
+        to.floor()
+    };
+    let whole = std::iter::successors(Some(from.floor() + 1.0), |at| Some(at + 1.0));
+    let inner = whole.take_while(|&at| at < to);
+    let last = (from < to).then_some(to);
+    [from].into_iter().chain(inner).chain(last).collect()
 }
 
 #[cfg(test)]
@@ -110,6 +126,15 @@ mod tests {
             assert!((spline.point(t) - DVec2::new(t + 1.0, 2.0)).length() < 1e-12);
             assert!((row.tangent(&spline.controls) - DVec2::X).length() < 1e-12);
         }
+    }
+
+    #[test]
+    fn slivers_at_ends_are_no_pieces() {
+        assert_eq!(breaks(0.25, 2.5), [0.25, 1.0, 2.0, 2.5]);
+        assert_eq!(breaks(1.0 - 1e-12, 2.0 + 1e-12), [1.0, 2.0]);
+        assert_eq!(breaks(0.0, 3.0), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(breaks(2.0, 2.0), [2.0]);
+        assert_eq!(breaks(0.5, 0.75), [0.5, 0.75]);
     }
 
     #[test]
