@@ -11,7 +11,6 @@
 //! | [`segment`] | [`Segment`] | closest point and distance |
 //! | [`segment_tree`] | [`SegmentTree`] | the nearest of many segments |
 //! | [`predicates`] | [`orient2d`], [`in_circle`] | signs without rounding error |
-//! | [`spatial_order`] | [`hilbert_order`], [`in_hilbert_order`] | an order in which neighbours are close |
 //! | [`progress`] | [`Progress`] | a listener to long tasks |
 //! | [`similarity`] | [`Similarity`] | to the unit box and back |
 //! | [`random`] | [`Random`] | seeded numbers, the same on every machine |
@@ -41,7 +40,7 @@ pub mod random;
 pub mod segment;
 pub mod segment_tree;
 pub mod similarity;
-pub mod spatial_order;
+mod spatial_order;
 
 pub use chains::Chain;
 pub use component::Component;
@@ -57,7 +56,6 @@ pub use random::Random;
 pub use segment::Segment;
 pub use segment_tree::SegmentTree;
 pub use similarity::Similarity;
-pub use spatial_order::{hilbert_order, in_hilbert_order};
 
 /// The example of the README is a test too.
 #[cfg(doctest)]

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, VecDeque};
 use glam::DVec2;
 
 use crate::point_id::PointId;
-use crate::point_set::{PointSet, PointSetError, by_coordinates, duplicates, id_of, validate};
+use crate::point_set::{PointSet, PointSetError, by_coordinates, id_of, validate};
+use crate::spatial_order::{Sorted, sorted};
 
 /// A [`PointSet`] in which some points of the input stand for others, and which they are.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,16 +22,23 @@ pub struct MergedPoints {
 
 impl MergedPoints {
     /// The points that represent themselves, each given by its index, are left.
-    fn new(points: &[DVec2], represented_by: &[usize]) -> Self {
+    fn new(points: Vec<DVec2>, sorted: Sorted, represented_by: &[usize]) -> Self {
         let is_left = |&index: &usize| represented_by[index] == index;
         let origin: Vec<usize> = (0..points.len()).filter(is_left).collect();
         let mut id = vec![id_of(0); points.len()];
         for (place, &index) in origin.iter().enumerate() {
             id[index] = id_of(place);
         }
+        let representative = represented_by.iter().map(|&index| id[index]).collect();
+        let points = if origin.len() == points.len() {
+            let order = sorted.order;
+            PointSet { points, order }
+        } else {
+            PointSet::of_valid(origin.iter().map(|&index| points[index]).collect())
+        };
         Self {
-            points: PointSet::of_valid(origin.iter().map(|&index| points[index]).collect()),
-            representative: represented_by.iter().map(|&index| id[index]).collect(),
+            points,
+            representative,
             origin,
         }
     }
@@ -59,10 +67,11 @@ impl PointSet {
     pub fn merging_duplicates(mut points: Vec<DVec2>) -> Result<MergedPoints, PointSetError> {
         validate(&mut points)?;
         let mut represented_by: Vec<usize> = (0..points.len()).collect();
-        for (first, second) in duplicates(&points) {
+        let sorted = sorted(&points);
+        for &[first, second] in &sorted.twins {
             represented_by[second] = first;
         }
-        Ok(MergedPoints::new(&points, &represented_by))
+        Ok(MergedPoints::new(points, sorted, &represented_by))
     }
 
     /// Takes points of which some stand for all others within a distance of them.
@@ -107,7 +116,8 @@ impl PointSet {
                 None => standing.enter(place, index),
             }
         }
-        Ok(MergedPoints::new(&points, &represented_by))
+        let sorted = sorted(&points);
+        Ok(MergedPoints::new(points, sorted, &represented_by))
     }
 }
 

@@ -1,12 +1,15 @@
 //! Points that every algorithm may trust: validity is settled once, here.
 
-use std::cmp::Ordering;
+use std::fmt;
 use std::ops::Index;
 
 use glam::DVec2;
 use thiserror::Error;
 
 use crate::point_id::PointId;
+use crate::spatial_order::{Sorted, sorted};
+
+pub use crate::spatial_order::by_coordinates;
 
 /// Finite, pairwise distinct points of the plane, in the caller's order.
 ///
@@ -25,9 +28,12 @@ use crate::point_id::PointId;
 /// assert!(PointSet::new(vec![DVec2::ZERO, DVec2::new(0.0, f64::NAN)]).is_err());
 /// # Ok::<(), curvecrust_geometry::PointSetError>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Default, PartialEq)]
 pub struct PointSet {
-    points: Vec<DVec2>,
+    pub(crate) points: Vec<DVec2>,
+    /// Along a Hilbert curve: found where equal points are looked for, and of use to most that
+    /// take a set.
+    pub(crate) order: Vec<PointId>,
 }
 
 /// Why points do not form a [`PointSet`].
@@ -87,9 +93,10 @@ pub enum PointSetError {
 }
 
 impl PointSet {
-    /// Points that are known to be valid: of a set, in another order or without some.
+    /// Points that are known to be valid: some of a set.
     pub(crate) fn of_valid(points: Vec<DVec2>) -> Self {
-        Self { points }
+        let Sorted { order, .. } = sorted(&points);
+        Self { points, order }
     }
 
     /// The smallest non-zero magnitude of a coordinate, 2^-142.
@@ -104,10 +111,8 @@ impl PointSet {
     /// later point comes first.
     pub fn new(mut points: Vec<DVec2>) -> Result<Self, PointSetError> {
         validate(&mut points)?;
-        let first_twin = duplicates(&points)
-            .into_iter()
-            .min_by_key(|&(_, second)| second);
-        if let Some((first, second)) = first_twin {
+        let Sorted { order, twins } = sorted(&points);
+        if let Some([first, second]) = twins.into_iter().min_by_key(|&[_, second]| second) {
             let DVec2 { x, y } = points[second];
             return Err(PointSetError::Duplicate {
                 first,
@@ -116,7 +121,7 @@ impl PointSet {
                 y,
             });
         }
-        Ok(Self { points })
+        Ok(Self { points, order })
     }
 
     /// Takes anything that iterates over arrays or pairs of f64, or over vectors of glam.
@@ -158,6 +163,55 @@ impl PointSet {
     /// The ids, ascending.
     pub fn ids(&self) -> impl ExactSizeIterator<Item = PointId> + use<> {
         (0..self.points.len()).map(id_of)
+    }
+
+    /// The points along a Hilbert curve on a grid of 2^16 x 2^16 cells over their bounding box:
+    /// every id once.
+    ///
+    /// The points of a crowded cell are ordered in the same way on a grid over theirs, those that
+    /// share one otherwise by coordinates. So the order depends on the coordinates alone, not on
+    /// that of the points nor on the number of threads, and not on a scale by a power of two or an
+    /// exact shift.
+    ///
+    /// Cost: none, since a set keeps the order by which it has found equal points.
+    ///
+    /// ```
+    /// use curvecrust_geometry::PointSet;
+    ///
+    /// let points = PointSet::from_points([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// // From corner to corner around the square, never across.
+    /// let mut sides = points.hilbert_order().windows(2);
+    /// assert!(sides.all(|side| points[side[0]].distance(points[side[1]]) == 1.0));
+    /// # Ok::<(), curvecrust_geometry::PointSetError>(())
+    /// ```
+    #[must_use]
+    pub fn hilbert_order(&self) -> &[PointId] {
+        &self.order
+    }
+
+    /// The points along the Hilbert curve as a set of their own, and the id that each has in this
+    /// one: what goes from neighbour to neighbour has them close in memory.
+    ///
+    /// ```
+    /// use curvecrust_geometry::PointSet;
+    ///
+    /// let points = PointSet::from_points([[3.0, 0.0], [1.0, 0.0], [2.0, 0.0]])?;
+    /// let (sorted, ids) = points.in_hilbert_order();
+    /// assert!(sorted.ids().zip(ids).all(|(new, old)| sorted[new] == points[old]));
+    /// # Ok::<(), curvecrust_geometry::PointSetError>(())
+    /// ```
+    #[must_use]
+    pub fn in_hilbert_order(&self) -> (Self, Vec<PointId>) {
+        let ids = self.order.clone();
+        let points = ids.iter().map(|&id| self[id]).collect();
+        let order = self.ids().collect();
+        (Self { points, order }, ids)
+    }
+}
+
+impl fmt::Debug for PointSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("PointSet").field(&self.points).finish()
     }
 }
 
@@ -209,12 +263,6 @@ impl IntoIterator for PointSet {
     }
 }
 
-/// Orders points by x, then y: the order by which ties are broken.
-#[must_use]
-pub fn by_coordinates(a: DVec2, b: DVec2) -> Ordering {
-    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
-}
-
 #[expect(
     clippy::cast_possible_truncation,
     reason = "validate() bounds the count"
@@ -244,22 +292,6 @@ pub(crate) fn validate(points: &mut [DVec2]) -> Result<(), PointSetError> {
         *point += DVec2::ZERO;
     }
     Ok(())
-}
-
-/// For every point that equals an earlier one: the first index of its group, and its own.
-pub(crate) fn duplicates(points: &[DVec2]) -> Vec<(usize, usize)> {
-    let mut order: Vec<u32> = points
-        .iter()
-        .enumerate()
-        .map(|(i, _)| id_of(i).into())
-        .collect();
-    order.sort_unstable_by(|&a, &b| {
-        by_coordinates(points[a as usize], points[b as usize]).then(a.cmp(&b))
-    });
-    order
-        .chunk_by(|&a, &b| points[a as usize] == points[b as usize])
-        .flat_map(|group| group[1..].iter().map(|&i| (group[0] as usize, i as usize)))
-        .collect()
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@
 //! the least lfs: one alpha for all, so it fails where density varies. Cost: that of the Delaunay
 //! triangulation, O(n log n).
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use crate::algorithm::{AlgorithmInfo, Reconstructor, Scope};
@@ -124,7 +124,7 @@ struct Shapes {
 
 impl Shapes {
     fn new(points: &PointSet) -> Self {
-        let (points, ids) = in_hilbert_order(points);
+        let (points, ids) = points.in_hilbert_order();
         let radii = radii(&points);
         Self { radii, ids }
     }

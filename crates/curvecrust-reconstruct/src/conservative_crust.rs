@@ -15,7 +15,7 @@
 //! Cost: that of the Delaunay triangulation, O(n log n), and a search around each edge; for rho
 //! above 1, in every round.
 
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 use num_bigint::BigInt;
 use rstar::RTree;
@@ -79,7 +79,7 @@ parameter!(ConservativeRho);
 /// ```
 #[must_use]
 pub fn conservative_crust(points: &PointSet, rho: ConservativeRho) -> EdgeSet {
-    let (points, ids) = &in_hilbert_order(points);
+    let (points, ids) = &points.in_hilbert_order();
     let delaunay = Delaunay::new(points);
     let gabriel: Vec<Disc> = delaunay
         .edges()

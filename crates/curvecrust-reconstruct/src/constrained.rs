@@ -15,7 +15,7 @@ mod rings;
 
 use std::collections::BTreeMap;
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
 
 use crate::algorithm::Reconstructor;
 use crate::error::ReconstructError;
@@ -117,7 +117,7 @@ pub(crate) fn one(points: &PointSet, known: &Known, goal: Goal) -> EdgeSet {
 
 /// One closed curve through all points, of which there must be three, not all on one line.
 pub(crate) fn closed_through_all(points: &PointSet, goal: Goal) -> EdgeSet {
-    let (sorted, ids) = in_hilbert_order(points);
+    let (sorted, ids) = points.in_hilbert_order();
     let rings = short_tour(&sorted, &Task::closed(goal));
     let edges = rings
         .iter()
@@ -128,7 +128,7 @@ pub(crate) fn closed_through_all(points: &PointSet, goal: Goal) -> EdgeSet {
 /// This number of curves through all points, the shortest open ones; where the shape is not known,
 /// those whose ends are near each other are closed.
 pub(crate) fn through_all(points: &PointSet, known: &Known, curves: usize, goal: Goal) -> EdgeSet {
-    let (sorted, ids) = in_hilbert_order(points);
+    let (sorted, ids) = points.in_hilbert_order();
     let termini = distinct(&known.termini);
     let is_terminus = ids
         .iter()

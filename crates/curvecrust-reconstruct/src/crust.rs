@@ -13,7 +13,7 @@
 //! Delaunay triangulation, O(n log n), plus a search around each edge.
 
 use curvecrust_geometry::parallel::*;
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Basis, Guarantee, Reconstructor, SamplingBound, Scope};
@@ -27,7 +27,7 @@ use crate::voronoi_vertices::VoronoiVertices;
 /// would have a choice.
 #[must_use]
 pub fn crust(points: &PointSet) -> EdgeSet {
-    let (points, ids) = &in_hilbert_order(points);
+    let (points, ids) = &points.in_hilbert_order();
     let delaunay = Delaunay::new(points);
     let candidates: Vec<[PointId; 2]> = delaunay
         .edges()

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::{Delaunay, DualEdge};
 
 use crate::adjacency::Adjacency;
@@ -29,7 +29,7 @@ pub(crate) struct DelaunayGraph {
 
 impl DelaunayGraph {
     pub(crate) fn new(points: &PointSet) -> Self {
-        let (points, ids) = in_hilbert_order(points);
+        let (points, ids) = points.in_hilbert_order();
         let delaunay = Delaunay::new(&points);
         let (longer, inside_circles): (Vec<DualEdge>, _) =
             delaunay.edges().partition(|dual| has_length(&points, dual));

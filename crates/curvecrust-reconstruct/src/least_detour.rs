@@ -60,7 +60,7 @@ mod ways;
 use std::collections::VecDeque;
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, Interrupt, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, Interrupt, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 
 use crate::algorithm::{AlgorithmInfo, Basis, Reconstructor, Scope};
@@ -208,7 +208,7 @@ impl Solver<'_> {
         for id in termini {
             is_named[id.index()] = true;
         }
-        let (points, ids) = &in_hilbert_order(points);
+        let (points, ids) = &points.in_hilbert_order();
         let is_terminus: Vec<bool> = ids.iter().map(|id| is_named[id.index()]).collect();
         let termini: Vec<PointId> = points.ids().filter(|v| is_terminus[v.index()]).collect();
         let delaunay = Delaunay::new(points);

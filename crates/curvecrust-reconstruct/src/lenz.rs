@@ -13,7 +13,7 @@
 //! samples are in a probe.
 
 use curvecrust_geometry::point_set::by_coordinates;
-use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{DVec2, Edge, EdgeSet, PointId, PointSet};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
@@ -41,7 +41,7 @@ const LENGTH: f64 = 2.4;
 /// ```
 #[must_use]
 pub fn lenz(points: &PointSet) -> EdgeSet {
-    let (points, ids) = &in_hilbert_order(points);
+    let (points, ids) = &points.in_hilbert_order();
     let mut growth = Growth::new(points);
     for seed in seeds(points) {
         if !growth.holds(seed) {

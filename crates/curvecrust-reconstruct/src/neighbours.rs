@@ -10,7 +10,7 @@ mod search;
 mod tree;
 
 use curvecrust_geometry::parallel::*;
-use curvecrust_geometry::{EdgeSet, Interrupt, PointId, PointSet, hilbert_order};
+use curvecrust_geometry::{EdgeSet, Interrupt, PointId, PointSet};
 
 use kernel::{Choice, TASK};
 use search::NONE;
@@ -62,12 +62,12 @@ pub enum HalfRule {
 #[must_use]
 pub fn neighbours(points: &PointSet, rule: HalfRule) -> Vec<Neighbours> {
     let Choices { order, chosen } = Choices::new(points, rule);
-    let id = |at: u32| order.get(at as usize).map(|&i| PointId::from(i));
+    let at = |place: u32| order.get(place as usize).copied();
     let mut neighbours = vec![Neighbours::default(); points.len()];
-    for (&index, &[nearest, half]) in order.iter().zip(&chosen) {
-        neighbours[index as usize] = Neighbours {
-            nearest: id(nearest),
-            half: id(half),
+    for (id, &[nearest, half]) in order.iter().zip(&chosen) {
+        neighbours[id.index()] = Neighbours {
+            nearest: at(nearest),
+            half: at(half),
         };
     }
     neighbours
@@ -75,18 +75,18 @@ pub fn neighbours(points: &PointSet, rule: HalfRule) -> Vec<Neighbours> {
 
 /// The neighbours of all points, in spatial order.
 #[derive(Debug)]
-pub(crate) struct Choices {
+pub(crate) struct Choices<'a> {
     /// The points in spatial order.
-    order: Vec<u32>,
+    order: &'a [PointId],
     /// What each chose, as positions in that order.
     chosen: Vec<Choice>,
 }
 
-impl Choices {
+impl<'a> Choices<'a> {
     /// The nearest and the half neighbour of every point.
-    pub(crate) fn new(points: &PointSet, rule: HalfRule) -> Self {
-        let order: Vec<u32> = hilbert_order(points).into_iter().map(u32::from).collect();
-        let tree = Tree::new(points.points(), &order);
+    pub(crate) fn new(points: &'a PointSet, rule: HalfRule) -> Self {
+        let order = points.hilbert_order();
+        let tree = Tree::new(points.points(), order);
         let mut chosen = vec![[NONE; 2]; tree.len()];
         let interrupt = Interrupt::current();
         let tasks = chosen.par_chunks_mut(TASK).enumerate();
@@ -99,12 +99,15 @@ impl Choices {
 
     /// Takes back the choice of a half neighbour by some of the points.
     pub(crate) fn without_half(mut self, of: &[PointId]) -> Self {
+        if of.is_empty() {
+            return self;
+        }
         let mut is_of = vec![false; self.order.len()];
         for id in of {
             is_of[id.index()] = true;
         }
-        for (&index, [_, half]) in self.order.iter().zip(&mut self.chosen) {
-            if is_of[index as usize] {
+        for (id, [_, half]) in self.order.iter().zip(&mut self.chosen) {
+            if is_of[id.index()] {
                 *half = NONE;
             }
         }
@@ -113,7 +116,7 @@ impl Choices {
 
     /// The edges that points chose and `keep` keeps.
     pub(crate) fn edges(&self, keep: Keep) -> EdgeSet {
-        edges::kept(&self.order, &self.chosen, keep)
+        edges::kept(self.order, &self.chosen, keep)
     }
 }
 

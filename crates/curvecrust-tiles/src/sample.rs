@@ -1,6 +1,6 @@
 //! Samples with ids that hold for all tiles.
 
-use curvecrust_geometry::{DVec2, PointSet, PointSetError, in_hilbert_order};
+use curvecrust_geometry::{DVec2, PointSet, PointSetError};
 
 use crate::area::Area;
 use crate::error::TilesError;
@@ -46,7 +46,7 @@ impl Samples {
         let given: Vec<u64> = samples.iter().map(|s| s.id).collect();
         let points = samples.into_iter().map(|s| s.point).collect();
         let points = PointSet::new(points).map_err(|error| named(&error, &given))?;
-        let (points, order) = in_hilbert_order(&points);
+        let (points, order) = points.in_hilbert_order();
         let ids = order.into_iter().map(|id| given[id.index()]).collect();
         Ok(Self { ids, points })
     }

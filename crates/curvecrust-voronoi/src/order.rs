@@ -10,7 +10,7 @@
 //! vertices and edges are at hand: on a million points this is half again as fast as rounds that
 //! double, and as fast as any other factor from 4 to 32.
 
-use curvecrust_geometry::{PointId, PointSet, Random, hilbert_order};
+use curvecrust_geometry::{PointId, PointSet, Random};
 
 /// Rounds of this size are not divided: there is nothing to gain among so few points.
 const FIRST_ROUND: usize = 256;
@@ -25,7 +25,7 @@ const GROWTH: usize = 8;
 /// two or shifted exactly. The randomness has a fixed seed. Cost: O(n log n).
 #[must_use]
 pub fn brio_order(points: &PointSet) -> Vec<PointId> {
-    let mut earlier = hilbert_order(points);
+    let mut earlier = points.hilbert_order().to_vec();
     let mut rounds = Vec::new();
     let mut groups = 0;
     while earlier.len() > FIRST_ROUND {

@@ -1,6 +1,6 @@
 //! Closed curves alone, of a known number or not.
 
-use curvecrust_geometry::{EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 
 use super::edges;
@@ -20,7 +20,7 @@ pub(super) fn closed(
     found: &EdgeSet,
     asked: Option<usize>,
 ) -> Result<EdgeSet, ReconstructError> {
-    let (sorted, ids) = in_hilbert_order(points);
+    let (sorted, ids) = points.in_hilbert_order();
     let mut rings = Rings::new(&sorted, &ids, found);
     rings.close();
     if let Some(asked) = asked {

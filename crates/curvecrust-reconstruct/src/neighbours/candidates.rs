@@ -4,7 +4,7 @@ use curvecrust_geometry::DVec2;
 
 use super::bounds::Rect;
 use super::half_plane::{ERROR, HalfPlane};
-use super::lanes::indices;
+use super::lanes::{indices, max, min};
 use super::search::Best;
 use super::tree::Leaf;
 
@@ -47,16 +47,6 @@ pub(super) fn at_most(key: f64) -> f64 {
     } else {
         key
     }
-}
-
-#[inline(always)]
-fn min(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn max(a: f64, b: f64) -> f64 {
-    if a < b { b } else { a }
 }
 
 impl Candidates {

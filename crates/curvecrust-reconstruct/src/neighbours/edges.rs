@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use curvecrust_geometry::parallel::*;
-use curvecrust_geometry::{Edge, EdgeSet};
+use curvecrust_geometry::{Edge, EdgeSet, PointId};
 
 use super::kernel::Choice;
 use super::search::NONE;
@@ -27,7 +27,7 @@ pub enum Keep {
 /// then reports its edges to points with larger ids in a slot of its own. Reading the slots by id
 /// gives the edges ascending, without a sort but for those that only the larger end chose: on
 /// curves few or none.
-pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
+pub(super) fn kept(order: &[PointId], chosen: &[Choice], keep: Keep) -> EdgeSet {
     let count = order.len();
     let empty = || AtomicU64::new(0);
     let slots: Vec<AtomicU64> = (0..count).into_par_iter().map(|_| empty()).collect();
@@ -43,12 +43,13 @@ pub(super) fn kept(order: &[u32], chosen: &[Choice], keep: Keep) -> EdgeSet {
     let to_smaller: Vec<Edge> = match keep {
         Keep::Mutual => {
             points.for_each(|(at, &s)| {
-                report(at, s);
+                report(at, s.into());
             });
             Vec::new()
         }
         Keep::Union => {
             let found = points.flat_map_iter(|(at, &s)| {
+                let s = u32::from(s);
                 let smaller = report(at, s).into_iter().filter(move |&id| id < s);
                 smaller.filter_map(move |id| Edge::new(s.into(), id.into()))
             });
@@ -90,7 +91,7 @@ fn ascending(slots: &[AtomicU64]) -> Vec<Edge> {
 ///
 /// An edge that both ends chose is reported by the smaller id.
 #[inline(always)]
-fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2] {
+fn reported(order: &[PointId], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2] {
     chosen[at].map(|q| {
         let Some(&id) = order.get(q as usize) else {
             return NONE;
@@ -100,7 +101,7 @@ fn reported(order: &[u32], chosen: &[Choice], at: usize, keep: Keep) -> [u32; 2]
         // Which end is smaller is as good as random: no branch.
         let smaller = returned & (order[at] < id);
         let is_reported = smaller | (!returned & (keep == Keep::Union));
-        if is_reported { id } else { NONE }
+        if is_reported { id.into() } else { NONE }
     })
 }
 

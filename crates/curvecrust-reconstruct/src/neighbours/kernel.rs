@@ -11,7 +11,7 @@ use super::HalfRule;
 use super::bounds::Rect;
 use super::candidates::{Candidates, LANES, at_most, is_closer};
 use super::half_plane::HalfPlane;
-use super::lanes::{WIDTH, bits, compiled_for_each_processor, sum};
+use super::lanes::{WIDTH, bits, compiled_for_each_processor, max, min, sum};
 use super::search::{Best, NONE};
 use super::tree::{Leaf, Room, Tree};
 
@@ -104,20 +104,24 @@ impl Kernel<'_> {
     /// always on a curve.
     #[inline(always)]
     fn choose_lanes(&self, leaf: &Leaf, first: usize, rect: Rect, choices: &mut [Choice]) {
-        let x: [f64; LANES] = std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]);
-        let y: [f64; LANES] = std::array::from_fn(|l| leaf.y[(first + l) % WIDTH]);
+        let [mut x, mut y] = [[0.0; LANES]; 2];
+        for l in 0..LANES {
+            (x[l], y[l]) = (leaf.x[(first + l) % WIDTH], leaf.y[(first + l) % WIDTH]);
+        }
         let [nearest, second, third] = self.candidates.closest(&x, &y);
-        let n0 = nearest.map(|key| self.candidates.of_key(key));
-        let h = second.map(|key| self.candidates.of_key(key));
-        let is_certain: [bool; LANES] = std::array::from_fn(|l| {
+        let [mut n0, mut h] = [[(DVec2::ZERO, 0); LANES]; 2];
+        let mut is_certain = [false; LANES];
+        for l in 0..LANES {
+            n0[l] = self.candidates.of_key(nearest[l]);
+            h[l] = self.candidates.of_key(second[l]);
             let s = DVec2::new(x[l], y[l]);
             let (a, side) = (h[l].0 - s, side(s, rect));
             let plane = HalfPlane::new(self.rule, s, n0[l].0);
-            is_closer(nearest[l], second[l])
+            is_certain[l] = is_closer(nearest[l], second[l])
                 & is_closer(second[l], third[l])
                 & (a.length_squared() < side * side)
-                & plane.certainly_contains(h[l].0)
-        });
+                & plane.certainly_contains(h[l].0);
+        }
         for (l, choice) in choices.iter_mut().enumerate().take(LANES) {
             *choice = if is_certain[l] {
                 [n0[l].1, h[l].1]
@@ -166,7 +170,8 @@ impl Kernel<'_> {
 /// As rounding is monotonic, no point outside the rectangle is computed to be closer.
 #[inline(always)]
 fn side(s: DVec2, rect: Rect) -> f64 {
-    (s - rect.low).min(rect.high - s).min_element()
+    let (a, b) = (s - rect.low, rect.high - s);
+    min(min(a.x, b.x), min(a.y, b.y))
 }
 
 /// The squared distance from each point of a leaf to the one before, infinite where there is none.
@@ -194,21 +199,22 @@ fn gaps(leaf: &Leaf) -> [f64; WIDTH] {
 /// distance. 0 for a single point.
 #[inline(always)]
 fn typical_distance(gaps: &[f64; WIDTH]) -> f64 {
-    let known = |slot: usize| {
-        let gap = gaps[slot % WIDTH];
-        if gap < f64::INFINITY { gap } else { 0.0 }
-    };
-    let gaps: [f64; WIDTH] = std::array::from_fn(|slot| {
-        let beside = known(slot + WIDTH - 1).max(known(slot + 1));
+    // Those beside each slot, around: before at its index, after at the one after next.
+    let mut known = [0.0; WIDTH + 2];
+    for (known, &gap) in known[1..].iter_mut().zip(gaps) {
+        *known = if gap < f64::INFINITY { gap } else { 0.0 };
+    }
+    (known[0], known[WIDTH + 1]) = (known[WIDTH], known[1]);
+    let mut gaps = *gaps;
+    for slot in 0..WIDTH {
+        let beside = max(known[slot], known[slot + 2]);
         if gaps[slot] < COINCIDENT * COINCIDENT * beside {
-            beside
-        } else {
-            gaps[slot]
+            gaps[slot] = beside;
         }
-    });
+    }
     let mut squared = gaps;
     for slot in 1..WIDTH {
-        squared[slot - 1] = squared[slot - 1].min(gaps[slot]);
+        squared[slot - 1] = min(squared[slot - 1], gaps[slot]);
     }
     let distances = squared.map(f64::sqrt);
     let inverses = sum(&distances.map(|d| 1.0 / d));

@@ -1,10 +1,11 @@
 //! An implicit tree of bounding boxes over points in spatial order.
 
-use curvecrust_geometry::DVec2;
 use curvecrust_geometry::parallel::*;
+use curvecrust_geometry::{DVec2, PointId};
+use std::array::from_fn;
 
 use super::bounds::{Bounds, Rect};
-use super::lanes::{WIDTH, bits, compiled_for_each_processor, indices, least, most, reduce};
+use super::lanes::{WIDTH, bits, compiled_for_each_processor, indices, least, max, min, most};
 
 /// Leaves that make a task, a multiple of 16.
 const TASK: usize = 256;
@@ -46,21 +47,25 @@ impl Leaf {
             high: DVec2::new(most(&self.x), most(&self.y)),
         };
         let unit = rect.inverse_sides();
-        let u: [f32; WIDTH] = std::array::from_fn(|i| ((self.x[i] - rect.low.x) * unit.x) as f32);
-        let v: [f32; WIDTH] = std::array::from_fn(|i| ((self.y[i] - rect.low.y) * unit.y) as f32);
-        let sums = std::array::from_fn(|i| u[i] + v[i]);
-        let differences = std::array::from_fn(|i| u[i] - v[i]);
-        let range = |of: &[f32; WIDTH]| [reduce(of, f32::min), reduce(of, f32::max)];
-        Bounds::new(rect, range(&sums), range(&differences))
+        let [mut sums, mut differences] = [[0.0; WIDTH]; 2];
+        for i in 0..WIDTH {
+            let u = (self.x[i] - rect.low.x) * unit.x;
+            let v = (self.y[i] - rect.low.y) * unit.y;
+            sums[i] = u + v;
+            differences[i] = u - v;
+        }
+        let sums = [least(&sums) as f32, most(&sums) as f32];
+        let differences = [least(&differences) as f32, most(&differences) as f32];
+        Bounds::new(rect, sums, differences)
     }
 
     /// The bounding box of the points in some slots.
     #[inline(always)]
     pub(super) fn bounds_of(&self, slots: std::ops::Range<usize>) -> Rect {
         let points = slots.map(|slot| self.point(slot));
-        points.fold(Rect::EMPTY, |rect, point| Rect {
-            low: rect.low.min(point),
-            high: rect.high.max(point),
+        points.fold(Rect::EMPTY, |Rect { low, high }, p| Rect {
+            low: DVec2::new(min(p.x, low.x), min(p.y, low.y)),
+            high: DVec2::new(max(high.x, p.x), max(high.y, p.y)),
         })
     }
 
@@ -99,7 +104,7 @@ impl Node {
             low_y: all.map(|b| b.rect.low.y),
             high_x: all.map(|b| b.rect.high.x),
             high_y: all.map(|b| b.rect.high.y),
-            cuts: std::array::from_fn(|corner| all.map(|b| b.cuts[corner])),
+            cuts: from_fn(|corner| all.map(|b| b.cuts[corner])),
         }
     }
 
@@ -133,12 +138,12 @@ impl Node {
         let (high_u, high_v) = (self.high_x.map(u), self.high_y.map(v));
         let cut = |corner, i| self.cut(corner, i, unit);
         let sums = [
-            least(&std::array::from_fn(|i| low_u[i] + low_v[i] + cut(0, i))),
-            most(&std::array::from_fn(|i| high_u[i] + high_v[i] - cut(3, i))),
+            least(&from_fn(|i| low_u[i] + low_v[i] + cut(0, i))),
+            most(&from_fn(|i| high_u[i] + high_v[i] - cut(3, i))),
         ];
         let differences = [
-            least(&std::array::from_fn(|i| low_u[i] - high_v[i] + cut(2, i))),
-            most(&std::array::from_fn(|i| high_u[i] - low_v[i] - cut(1, i))),
+            least(&from_fn(|i| low_u[i] - high_v[i] + cut(2, i))),
+            most(&from_fn(|i| high_u[i] - low_v[i] - cut(1, i))),
         ];
         let rounded = |range: [f64; 2]| range.map(|x| x as f32);
         Bounds::new(rect, rounded(sums), rounded(differences))
@@ -174,9 +179,9 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// The tree over `points` in the given order of their indices.
-    pub(super) fn new(points: &[DVec2], order: &[u32]) -> Self {
-        let leaf = |indices: &[u32]| Leaf::new(indices.iter().map(|&i| points[i as usize]));
+    /// The tree over `points` in the given order.
+    pub(super) fn new(points: &[DVec2], order: &[PointId]) -> Self {
+        let leaf = |ids: &[PointId]| Leaf::new(ids.iter().map(|id| points[id.index()]));
         let chunks = order.par_chunks(WIDTH).with_min_len(TASK);
         let leaves: Vec<Leaf> = chunks.map(leaf).collect();
         let chunks = leaves.par_chunks(WIDTH).with_min_len(TASK / WIDTH);
@@ -286,7 +291,7 @@ mod tests {
     proptest! {
         #[test]
         fn no_point_lies_in_a_corner_that_is_cut(points in points()) {
-            let order: Vec<u32> = (0..).take(points.len()).collect();
+            let order: Vec<PointId> = (0..).take(points.len()).map(PointId::from).collect();
             let tree = Tree::new(&points, &order);
             for (level, nodes) in tree.levels.iter().enumerate() {
                 let per_child = WIDTH.pow(u32::try_from(level).unwrap() + 1);
@@ -316,7 +321,7 @@ mod tests {
         let at =
             |i: u32| DVec2::from_angle(f64::from(i) / f64::from(count) * std::f64::consts::TAU);
         let points: Vec<DVec2> = (0..count).map(at).collect();
-        let order: Vec<u32> = (0..count).collect();
+        let order: Vec<PointId> = (0..count).map(PointId::from).collect();
         let tree = Tree::new(&points, &order);
         // At 45 degrees: how far what is left of each child is from the tangent.
         let normal = DVec2::splat(-std::f64::consts::FRAC_1_SQRT_2);

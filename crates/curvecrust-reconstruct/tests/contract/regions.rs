@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet, in_hilbert_order};
+use curvecrust_geometry::{Edge, EdgeSet, PointId, PointSet};
 use curvecrust_voronoi::Delaunay;
 
 use super::family::{Pair, by_length, degree, delaunay_pairs, edge_set, spanning_tree};
@@ -135,7 +135,7 @@ impl<'a> Region<'a> {
 
 /// The triangles as the library sees them: of the points along a Hilbert curve.
 fn triangles(points: &PointSet) -> Vec<Triangle> {
-    let (sorted, ids) = in_hilbert_order(points);
+    let (sorted, ids) = points.in_hilbert_order();
     let delaunay = Delaunay::new(&sorted);
     let named = delaunay
         .triangles()
@@ -199,7 +199,7 @@ pub(crate) fn sig_connect2d(points: &PointSet) -> EdgeSet {
         members.sort_unstable();
         left.retain(|v| !members.contains(v));
         // The component as a set of its own, in the order that the library has it in.
-        let (_, order) = in_hilbert_order(points);
+        let (_, order) = points.in_hilbert_order();
         let members: Vec<PointId> = order.into_iter().filter(|v| members.contains(v)).collect();
         let own = PointSet::new(members.iter().map(|&v| points[v]).collect()).unwrap();
         let place =
