@@ -3,15 +3,6 @@
 
 let exports = null;
 
-const encode = (header, numbers) => {
-  const json = new TextEncoder().encode(JSON.stringify(header));
-  const bytes = new Uint8Array(4 + json.length + 8 * numbers.length);
-  new DataView(bytes.buffer).setUint32(0, json.length, true);
-  bytes.set(json, 4);
-  bytes.set(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength), 4 + json.length);
-  return bytes;
-};
-
 const decode = (bytes) => {
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
@@ -21,12 +12,16 @@ const decode = (bytes) => {
 };
 
 const ask = (header, numbers) => {
-  const sent = encode(header, numbers);
-  const input = exports.curvecrust_input(sent.length);
+  const json = new TextEncoder().encode(JSON.stringify(header));
+  const input = exports.curvecrust_input(4 + json.length + numbers.byteLength);
   if (input === 0) {
     return { header: { error: "There is not enough memory for these points." }, numbers: new Float64Array() };
   }
-  new Uint8Array(exports.memory.buffer, input, sent.length).set(sent);
+  const { buffer } = exports.memory;
+  new DataView(buffer).setUint32(input, json.length, true);
+  const sent = new Uint8Array(buffer, input + 4);
+  sent.set(json);
+  sent.set(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength), json.length);
   const answer = exports.curvecrust_answer();
   const length = exports.curvecrust_answer_length();
   return decode(new Uint8Array(exports.memory.buffer, answer, length));

@@ -38,7 +38,9 @@ pub extern "C" fn curvecrust_input(length: usize) -> *mut u8 {
         if state.input.try_reserve_exact(length).is_err() {
             return std::ptr::null_mut();
         }
-        state.input.resize(length, 0);
+        // Zeros that are asked for with the memory need not be written.
+        state.input = Vec::new();
+        state.input = vec![0; length];
         state.input.as_mut_ptr()
     })
 }

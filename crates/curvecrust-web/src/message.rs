@@ -77,10 +77,16 @@ impl Answer {
         self.array(name, points.into_iter().flat_map(|p| p.to_array()));
     }
 
+    /// Adds an array of pairs of indices, one after another.
+    pub(crate) fn pairs(&mut self, name: &str, pairs: impl IntoIterator<Item = [usize; 2]>) {
+        let pairs = pairs.into_iter();
+        // An iterator over numbers would take them one by one, with twice the time.
+        let pairs: Vec<[f64; 2]> = pairs.map(|[p, q]| [exact(p), exact(q)]).collect();
+        self.array(name, pairs.as_flattened().iter().copied());
+    }
+
     /// Adds an array of indices.
     pub(crate) fn indices(&mut self, name: &str, indices: impl IntoIterator<Item = usize>) {
-        // Indices are below 2^32, which floats hold exactly.
-        let exact = |index| u32::try_from(index).map_or(f64::NAN, f64::from);
         self.array(name, indices.into_iter().map(exact));
     }
 
@@ -92,6 +98,11 @@ impl Answer {
     }
 }
 
+/// An index as a float: indices are below 2^32, which floats hold exactly.
+fn exact(index: usize) -> f64 {
+    u32::try_from(index).map_or(f64::NAN, f64::from)
+}
+
 /// A message with a header and numbers, as bytes.
 #[must_use]
 pub fn bytes(header: &Value, numbers: &[f64]) -> Vec<u8> {
@@ -100,7 +111,8 @@ pub fn bytes(header: &Value, numbers: &[f64]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(4 + header.len() + 8 * numbers.len());
     bytes.extend(length.to_le_bytes());
     bytes.extend(header.as_bytes());
-    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    let numbers: Vec<[u8; 8]> = numbers.iter().map(|number| number.to_le_bytes()).collect();
+    bytes.extend_from_slice(numbers.as_flattened());
     bytes
 }
 

@@ -78,10 +78,16 @@ fn found(
 fn describe(curves: &Reconstruction, index: impl Fn(PointId) -> usize + Copy) -> Answer {
     let mut answer = Answer::default();
     let edges = curves.edges().edges().iter();
-    answer.indices("edges", edges.flat_map(|edge| edge.ends().map(index)));
+    answer.pairs(
+        "edges",
+        edges.map(|edge| [index(edge.a()), index(edge.b())]),
+    );
     let chains = curves.chains();
-    let vertices = chains.iter().flat_map(|nested| nested.chain.vertices());
-    answer.indices("vertices", vertices.copied().map(index));
+    let mut vertices = Vec::with_capacity(curves.degrees().len());
+    for nested in chains {
+        vertices.extend(nested.chain.vertices().iter().copied().map(index));
+    }
+    answer.indices("vertices", vertices);
     answer.indices(
         "lengths",
         chains.iter().map(|nested| nested.chain.vertices().len()),
