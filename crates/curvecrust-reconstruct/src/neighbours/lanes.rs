@@ -1,7 +1,9 @@
 //! Sixteen numbers at a time, in loops that compilers turn into vector instructions.
 
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+use halves::{greater, plus, reduce, smaller};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-use std::arch::wasm32::*;
+use pairs::{greater, plus, reduce, smaller};
 
 /// Points of a leaf, and children of a node.
 pub(super) const WIDTH: usize = 16;
@@ -22,79 +24,6 @@ macro_rules! compiled_for_each_processor {
 }
 pub(super) use compiled_for_each_processor;
 
-/// How two numbers become one, and how pairs of them do.
-trait Combine {
-    fn combine(a: f64, b: f64) -> f64;
-
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fn combine_pairs(a: v128, b: v128) -> v128;
-}
-
-struct Sum;
-
-impl Combine for Sum {
-    #[inline(always)]
-    fn combine(a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    #[inline(always)]
-    fn combine_pairs(a: v128, b: v128) -> v128 {
-        f64x2_add(a, b)
-    }
-}
-
-struct Least;
-
-impl Combine for Least {
-    #[inline(always)]
-    fn combine(a: f64, b: f64) -> f64 {
-        min(a, b)
-    }
-
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    #[inline(always)]
-    fn combine_pairs(a: v128, b: v128) -> v128 {
-        f64x2_pmin(b, a)
-    }
-}
-
-struct Most;
-
-impl Combine for Most {
-    #[inline(always)]
-    fn combine(a: f64, b: f64) -> f64 {
-        max(a, b)
-    }
-
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    #[inline(always)]
-    fn combine_pairs(a: v128, b: v128) -> v128 {
-        f64x2_pmax(a, b)
-    }
-}
-
-/// Combines all values by halves: vectors with vectors, not one number after the other.
-#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-#[inline(always)]
-fn reduce<C: Combine>(v: &[f64; WIDTH]) -> f64 {
-    let v: [f64; 8] = std::array::from_fn(|i| C::combine(v[i], v[i + 8]));
-    let v: [f64; 4] = std::array::from_fn(|i| C::combine(v[i], v[i + 4]));
-    C::combine(C::combine(v[0], v[2]), C::combine(v[1], v[3]))
-}
-
-/// The same in the same order. Compilers make vectors of it only when told.
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-#[inline(always)]
-fn reduce<C: Combine>(v: &[f64; WIDTH]) -> f64 {
-    let pair = |i: usize| f64x2(v[i], v[i + 1]);
-    let fourth = |i: usize| C::combine_pairs(pair(i), pair(i + 8));
-    let half = |i: usize| C::combine_pairs(fourth(i), fourth(i + 4));
-    let pair = C::combine_pairs(half(0), half(2));
-    C::combine(f64x2_extract_lane::<0>(pair), f64x2_extract_lane::<1>(pair))
-}
-
 /// The smaller of two numbers; the second if one is NaN. Unlike that of the standard library it is
 /// one instruction.
 #[inline(always)]
@@ -111,7 +40,7 @@ pub(super) fn max(a: f64, b: f64) -> f64 {
 /// The sum, in an order of its own.
 #[inline(always)]
 pub(super) fn sum(values: &[f64; WIDTH]) -> f64 {
-    reduce::<Sum>(values)
+    reduce(values, plus)
 }
 
 /// The smallest of the numbers that are not NaN; infinite if there is none.
@@ -121,7 +50,7 @@ pub(super) fn least(values: &[f64; WIDTH]) -> f64 {
     for value in &mut known {
         *value = min(*value, f64::INFINITY);
     }
-    reduce::<Least>(&known)
+    reduce(&known, smaller)
 }
 
 /// The greatest of the numbers that are not NaN; minus infinity if there is none.
@@ -131,7 +60,50 @@ pub(super) fn most(values: &[f64; WIDTH]) -> f64 {
     for value in &mut known {
         *value = max(-f64::INFINITY, *value);
     }
-    reduce::<Most>(&known)
+    reduce(&known, greater)
+}
+
+/// Combines all values by halves: vectors with vectors, not one number after the other.
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+mod halves {
+    use super::WIDTH;
+    pub(super) use super::{max as greater, min as smaller};
+
+    #[inline(always)]
+    pub(super) fn plus(a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    #[inline(always)]
+    pub(super) fn reduce(v: &[f64; WIDTH], combine: impl Fn(f64, f64) -> f64) -> f64 {
+        let v: [f64; 8] = std::array::from_fn(|i| combine(v[i], v[i + 8]));
+        let v: [f64; 4] = std::array::from_fn(|i| combine(v[i], v[i + 4]));
+        combine(combine(v[0], v[2]), combine(v[1], v[3]))
+    }
+}
+
+/// The same in the same order for WebAssembly, where compilers make vectors of numbers that are
+/// combined only when told.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod pairs {
+    use super::WIDTH;
+    use std::arch::wasm32::*;
+    pub(super) use {f64x2_add as plus, f64x2_pmax as greater};
+
+    #[inline(always)]
+    pub(super) fn smaller(a: v128, b: v128) -> v128 {
+        // The second if one is NaN, as of `min`.
+        f64x2_pmin(b, a)
+    }
+
+    #[inline(always)]
+    pub(super) fn reduce(v: &[f64; WIDTH], combine: impl Fn(v128, v128) -> v128) -> f64 {
+        let pair = |i: usize| f64x2(v[i], v[i + 1]);
+        let eight = |i: usize| combine(pair(i), pair(i + 8));
+        let four = |i: usize| combine(eight(i), eight(i + 4));
+        let two = combine(four(0), four(2));
+        f64x2_extract_lane::<0>(combine(two, i64x2_shuffle::<1, 0>(two, two)))
+    }
 }
 
 /// The indices below 16 for which a condition holds, as bits.
