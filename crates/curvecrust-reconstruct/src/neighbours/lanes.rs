@@ -88,12 +88,21 @@ mod halves {
 mod pairs {
     use super::WIDTH;
     use std::arch::wasm32::*;
-    pub(super) use {f64x2_add as plus, f64x2_pmax as greater};
 
     #[inline(always)]
+    pub(super) fn plus(a: v128, b: v128) -> v128 {
+        f64x2_add(a, b)
+    }
+
+    /// The second if one is NaN, as of `min`.
+    #[inline(always)]
     pub(super) fn smaller(a: v128, b: v128) -> v128 {
-        // The second if one is NaN, as of `min`.
         f64x2_pmin(b, a)
+    }
+
+    #[inline(always)]
+    pub(super) fn greater(a: v128, b: v128) -> v128 {
+        f64x2_pmax(a, b)
     }
 
     #[inline(always)]
