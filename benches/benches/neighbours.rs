@@ -4,7 +4,7 @@
 #![allow(clippy::expect_used, reason = "a benchmark may panic")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use curvecrust_benches::peers;
+use curvecrust_benches::peers::{self, anew};
 use curvecrust_reconstruct::{hnn_crust, nn_crust};
 use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 
@@ -20,11 +20,11 @@ fn inputs(c: &mut Criterion) {
     for (name, planted) in planted {
         let planted = planted.expect("valid points");
         assert_eq!(hnn_crust(&planted.points), planted.edges);
-        group.bench_function(name, |b| b.iter(|| hnn_crust(&planted.points)));
+        group.bench_function(name, |b| b.iter(|| hnn_crust(&anew(&planted.points))));
     }
     let points = uniform(count, 1).expect("valid points");
     assert_eq!(hnn_crust(&points), peers::kiddo_hnn_crust(&points));
-    group.bench_function("uniform", |b| b.iter(|| hnn_crust(&points)));
+    group.bench_function("uniform", |b| b.iter(|| hnn_crust(&anew(&points))));
     group.finish();
 }
 
@@ -37,8 +37,8 @@ fn algorithms_and_peers(c: &mut Criterion) {
         let points = &planted.points;
         assert_eq!(nn_crust(points), planted.edges);
         let id = |name| BenchmarkId::new(name, count);
-        group.bench_function(id("hnn-crust"), |b| b.iter(|| hnn_crust(points)));
-        group.bench_function(id("nn-crust"), |b| b.iter(|| nn_crust(points)));
+        group.bench_function(id("hnn-crust"), |b| b.iter(|| hnn_crust(&anew(points))));
+        group.bench_function(id("nn-crust"), |b| b.iter(|| nn_crust(&anew(points))));
         let keys = peers::keys(count);
         group.bench_function(id("sort_unstable of u64"), |b| {
             b.iter(|| peers::sorted(&keys));

@@ -9,6 +9,13 @@ use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
+/// Points as curvecrust takes them: a set of their own. A set is made in the order that algorithms
+/// need, and keeps it: to make one is part of the work that is measured.
+#[must_use]
+pub fn anew(points: &PointSet) -> PointSet {
+    PointSet::new(points.points().to_vec()).unwrap_or_default()
+}
+
 /// Points as kiddo takes them.
 #[must_use]
 pub fn arrays(points: &PointSet) -> Vec<[f64; 2]> {

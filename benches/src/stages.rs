@@ -7,7 +7,7 @@ use curvecrust_voronoi::Delaunay;
 use glam::DVec2;
 
 use crate::comparison::{Goal, Row, Task, medians, per_element};
-use crate::peers;
+use crate::peers::{self, anew};
 use curvecrust_testing::planted::{many_curves, mixed_scale, one_curve, uniform};
 
 /// The numbers of points, and of rounds of which the median is taken.
@@ -50,12 +50,6 @@ const DISPATCH: &str = if cfg!(feature = "portable") {
 } else {
     ""
 };
-
-/// The points as a set of their own. A set is made in the order that algorithms need, and keeps
-/// it: to make one is part of the work that is measured.
-fn anew(points: &PointSet) -> PointSet {
-    PointSet::new(points.points().to_vec()).unwrap_or_default()
-}
 
 /// HNN-Crust against kiddo, on one thread.
 ///

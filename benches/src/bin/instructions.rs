@@ -7,6 +7,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use curvecrust_benches::curves::dense_one_curve;
+use curvecrust_benches::peers::anew;
 use curvecrust_medial_axis::{Estimator, MeasuredCurve};
 use curvecrust_reconstruct::neighbours::{HalfRule, neighbours};
 use curvecrust_reconstruct::{crust, least_detour};
@@ -41,6 +42,7 @@ fn run(kernel: &str, runs: u32) -> Result<ExitCode, Box<dyn Error>> {
     let condition = Condition::rho(0.9)?;
     for _ in 0..runs {
         match kernel {
+            "point-set" => drop(black_box(anew(&points))),
             "neighbours" => drop(black_box(neighbours(&points, HalfRule::Bisector))),
             "delaunay" => drop(black_box(Delaunay::new(&points))),
             "crust" => drop(black_box(crust(&points))),

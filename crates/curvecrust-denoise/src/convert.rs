@@ -7,7 +7,7 @@ use curvecrust_reconstruct::Reconstruction;
 
 use crate::fitted::{Fitted, FittedCurve, Place};
 use crate::model::{Arc, Model};
-use crate::spline::{Spline, breaks};
+use crate::spline::{Fit, Spline, breaks};
 
 /// The result for clean points, of which some stay; the edges are between these.
 pub(crate) fn clean(points: &PointSet, stays: &[bool], edges: EdgeSet) -> Fitted {
@@ -104,14 +104,15 @@ pub(crate) fn noisy(
     }
     let mut by_size: Vec<usize> = (0..model.arcs.len()).collect();
     by_size.sort_by_key(|&arc| std::cmp::Reverse(points[arc]));
+    let joints = |arc: &Arc| breaks(arc.from, arc.to);
+    let joints: Vec<Vec<f64>> = model.arcs.iter().map(joints).collect();
     let mut curve_of = vec![0; model.arcs.len()];
     let mut curves = Vec::new();
     for (curve, &arc) in by_size.iter().enumerate() {
         curve_of[arc] = curve;
-        curves.push(fitted_curve(&model.arcs[arc], points[arc], to_unit));
+        let fitted = fitted_curve(&model.arcs[arc].fit, &joints[arc], points[arc], to_unit);
+        curves.push(fitted);
     }
-    let joints = |arc: &Arc| breaks(arc.from, arc.to);
-    let joints: Vec<Vec<f64>> = model.arcs.iter().map(joints).collect();
     for (&i, assigned) in order.iter().zip(&model.assigned) {
         places[i] = assigned.map(|a| Place {
             curve: curve_of[a.arc],
@@ -126,14 +127,14 @@ pub(crate) fn noisy(
     }
 }
 
-fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
-    let spline = &arc.fit.spline;
-    let cubics: Vec<[DVec2; 4]> = spline
-        .beziers(arc.from, arc.to)
+/// The cubics between joints.
+fn fitted_curve(fit: &Fit, joints: &[f64], points: usize, to_unit: Similarity) -> FittedCurve {
+    let cubics: Vec<[DVec2; 4]> = fit
+        .spline
+        .beziers(joints)
         .into_iter()
         .map(|cubic| cubic.map(|p| to_unit.invert(p)))
         .collect();
-    let joints = breaks(arc.from, arc.to);
     let lengths = |value: &dyn Fn(f64) -> f64| {
         joints
             .iter()
@@ -141,10 +142,10 @@ fn fitted_curve(arc: &Arc, points: usize, to_unit: Similarity) -> FittedCurve {
             .collect()
     };
     FittedCurve {
-        closed: spline.closed(),
-        corners: corners(spline, &joints),
-        sigma: lengths(&|t| arc.fit.spread.at(t)),
-        standard_error: lengths(&|t| arc.fit.standard_error(t)),
+        closed: fit.spline.closed(),
+        corners: corners(&fit.spline, joints),
+        sigma: lengths(&|t| fit.spread.at(t)),
+        standard_error: lengths(&|t| fit.standard_error(t)),
         points,
         cubics,
     }

@@ -158,12 +158,25 @@ impl EdgeSet {
     }
 
     fn with_degree(&self, wanted: impl Fn(u32) -> bool) -> Vec<PointId> {
-        (0u32..)
-            .zip(self.degrees())
-            .filter(|&(_, degree)| wanted(degree))
-            .map(|(vertex, _)| PointId::from(vertex))
-            .collect()
+        vertices_with_degree(&self.degrees(), wanted)
     }
+}
+
+/// The vertices whose degrees are wanted, ascending; given are the degrees of all.
+///
+/// ```
+/// use curvecrust_geometry::{PointId, edge_set::vertices_with_degree};
+///
+/// let leaves = vertices_with_degree(&[1, 2, 1], |degree| degree == 1);
+/// assert_eq!(leaves, [0, 2].map(PointId::from));
+/// ```
+#[must_use]
+pub fn vertices_with_degree(degrees: &[u32], wanted: impl Fn(u32) -> bool) -> Vec<PointId> {
+    (0u32..)
+        .zip(degrees)
+        .filter(|&(_, &degree)| wanted(degree))
+        .map(|(vertex, _)| PointId::from(vertex))
+        .collect()
 }
 
 /// As many vertices as the ends of the edges need.

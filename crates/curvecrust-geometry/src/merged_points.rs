@@ -21,24 +21,26 @@ pub struct MergedPoints {
 }
 
 impl MergedPoints {
+    /// All points are left.
+    fn all(points: PointSet) -> Self {
+        Self {
+            representative: points.ids().collect(),
+            origin: (0..points.len()).collect(),
+            points,
+        }
+    }
+
     /// The points that represent themselves, each given by its index, are left.
-    fn new(points: Vec<DVec2>, sorted: Sorted, represented_by: &[usize]) -> Self {
+    fn new(points: &[DVec2], represented_by: &[usize]) -> Self {
         let is_left = |&index: &usize| represented_by[index] == index;
         let origin: Vec<usize> = (0..points.len()).filter(is_left).collect();
         let mut id = vec![id_of(0); points.len()];
         for (place, &index) in origin.iter().enumerate() {
             id[index] = id_of(place);
         }
-        let representative = represented_by.iter().map(|&index| id[index]).collect();
-        let points = if origin.len() == points.len() {
-            let order = sorted.order;
-            PointSet { points, order }
-        } else {
-            PointSet::of_valid(origin.iter().map(|&index| points[index]).collect())
-        };
         Self {
-            points,
-            representative,
+            points: PointSet::of_valid(origin.iter().map(|&index| points[index]).collect()),
+            representative: represented_by.iter().map(|&index| id[index]).collect(),
             origin,
         }
     }
@@ -66,12 +68,15 @@ impl PointSet {
     /// The first coordinate that is not finite or out of range, by index.
     pub fn merging_duplicates(mut points: Vec<DVec2>) -> Result<MergedPoints, PointSetError> {
         validate(&mut points)?;
+        let Sorted { order, twins } = sorted(&points);
+        if twins.is_empty() {
+            return Ok(MergedPoints::all(PointSet { points, order }));
+        }
         let mut represented_by: Vec<usize> = (0..points.len()).collect();
-        let sorted = sorted(&points);
-        for &[first, second] in &sorted.twins {
+        for [first, second] in twins {
             represented_by[second] = first;
         }
-        Ok(MergedPoints::new(points, sorted, &represented_by))
+        Ok(MergedPoints::new(&points, &represented_by))
     }
 
     /// Takes points of which some stand for all others within a distance of them.
@@ -116,8 +121,7 @@ impl PointSet {
                 None => standing.enter(place, index),
             }
         }
-        let sorted = sorted(&points);
-        Ok(MergedPoints::new(points, sorted, &represented_by))
+        Ok(MergedPoints::new(&points, &represented_by))
     }
 }
 

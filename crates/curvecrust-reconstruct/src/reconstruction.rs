@@ -1,6 +1,7 @@
 //! A reconstruction in the form that a user needs: curves in order, rings inside rings, and loose
 //! ends.
 
+use curvecrust_geometry::edge_set::vertices_with_degree;
 use curvecrust_geometry::{Chain, EdgeSet, PointId, PointSet};
 
 use crate::algorithm::Reconstructor;
@@ -128,25 +129,19 @@ impl Reconstruction {
     /// The vertices of degree 1, ascending.
     #[must_use]
     pub fn leaves(&self) -> Vec<PointId> {
-        self.with_degree(|degree| degree == 1)
+        vertices_with_degree(&self.degrees, |degree| degree == 1)
     }
 
     /// The vertices without an edge, ascending.
     #[must_use]
     pub fn isolated(&self) -> Vec<PointId> {
-        self.with_degree(|degree| degree == 0)
+        vertices_with_degree(&self.degrees, |degree| degree == 0)
     }
 
     /// The vertices of degree 3 or more, ascending.
     #[must_use]
     pub fn junctions(&self) -> Vec<PointId> {
-        self.with_degree(|degree| degree > 2)
-    }
-
-    fn with_degree(&self, wanted: impl Fn(u32) -> bool) -> Vec<PointId> {
-        let degrees = (0u32..).zip(&self.degrees);
-        let found = degrees.filter(|&(_, &degree)| wanted(degree));
-        found.map(|(vertex, _)| vertex.into()).collect()
+        vertices_with_degree(&self.degrees, |degree| degree > 2)
     }
 
     /// The maximal open chains and the rings, each edge in exactly one of them, in the order of

@@ -35,11 +35,10 @@ fn with_state<T>(act: impl FnOnce(&mut State) -> T) -> T {
 pub extern "C" fn curvecrust_input(length: usize) -> *mut u8 {
     with_state(|state| {
         state.input = Vec::new();
-        if state.input.try_reserve_exact(length).is_err() {
+        if Vec::<u8>::new().try_reserve_exact(length).is_err() {
             return std::ptr::null_mut();
         }
         // Zeros that are asked for with the memory need not be written.
-        state.input = Vec::new();
         state.input = vec![0; length];
         state.input.as_mut_ptr()
     })

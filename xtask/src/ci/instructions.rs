@@ -13,6 +13,7 @@ const TOLERANCE: f64 = 0.03;
 
 /// The kernels, as the program `instructions` of the benches names them.
 const KERNELS: &[&str] = &[
+    "point-set",
     "neighbours",
     "delaunay",
     "crust",

@@ -44,9 +44,7 @@ pub(super) fn build() -> anyhow::Result<Result<PathBuf, String>> {
 pub(crate) fn toolchain() -> Option<Command> {
     let folder = output_of("rustc", &["--print", "target-libdir", "--target", TARGET]);
     if folder.is_some_and(|folder| Path::new(&folder).is_dir()) {
-        let mut command = Command::new("cargo");
-        command.env("RUSTFLAGS", FLAGS);
-        return Some(command);
+        return Some(cargo("cargo", FLAGS));
     }
     let [rustc, cargo] = DEBIAN;
     let sysroot = output_of(rustc, &["--print", "sysroot"])?;
@@ -55,21 +53,28 @@ pub(crate) fn toolchain() -> Option<Command> {
     if !source.is_dir() || !Path::new(cargo).is_file() {
         return None;
     }
-    let mut command = Command::new(cargo);
+    let mut command = self::cargo(cargo, &format!("{FLAGS} {QUIET}"));
     command.args([
         "-Z",
         "build-std=std,panic_abort",
         "-Zbuild-std-features=optimize_for_size",
     ]);
     command.env("RUSTC", rustc).env("RUSTC_BOOTSTRAP", "1");
-    command.env("CARGO_INCREMENTAL", "0");
-    command.env("RUSTFLAGS", format!("{FLAGS} {QUIET}"));
     command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker);
     // Of the toolchain that runs this task; they would lead back to it.
     for name in ["RUSTUP_TOOLCHAIN", "CARGO", "RUSTDOC", "RUSTC_WRAPPER"] {
         command.env_remove(name);
     }
     Some(command)
+}
+
+/// A cargo with flags for the compiler. What it would keep to build again only fills the disk.
+fn cargo(program: &str, flags: &str) -> Command {
+    let mut command = Command::new(program);
+    command
+        .env("RUSTFLAGS", flags)
+        .env("CARGO_INCREMENTAL", "0");
+    command
 }
 
 /// The linker for WebAssembly that comes with every toolchain of rustup.

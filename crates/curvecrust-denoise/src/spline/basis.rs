@@ -55,9 +55,8 @@ impl Spline {
         [before as f64 - INSIDE, knot as f64].map(|t| self.tangent(t))
     }
 
-    /// The Bézier pieces from one parameter to a later one.
-    pub(crate) fn beziers(&self, from: f64, to: f64) -> Vec<[DVec2; 4]> {
-        let breaks = breaks(from, to);
+    /// The Bézier pieces between [`breaks`].
+    pub(crate) fn beziers(&self, breaks: &[f64]) -> Vec<[DVec2; 4]> {
         let pairs = breaks.windows(2);
         let mut pieces: Vec<_> = pairs.map(|pair| self.bezier(pair[0], pair[1])).collect();
         if let (true, [first, .., last]) = (self.closed(), &mut *pieces) {
@@ -151,7 +150,7 @@ mod tests {
             let spline = spline(controls.clone(), closed);
             let end = spline.intervals() as f64;
             let (from, to) = if closed { (0.0, end) } else { (0.3, end - 0.4) };
-            let pieces = spline.beziers(from, to);
+            let pieces = spline.beziers(&breaks(from, to));
             let mut start = from;
             for piece in &pieces {
                 let next = (start.floor() + 1.0).min(to);

@@ -59,7 +59,7 @@ impl Bounds {
     /// the low to the high sides, from 0 to 1.
     #[inline(always)]
     pub(super) fn new(rect: Rect, [low, high]: [f32; 2], [left, right]: [f32; 2]) -> Self {
-        // In f32, u and v err by 2^-25, their sum by 2^-23 in all.
+        // Sums of up to 2 err by 2^-24 where they are rounded to f32, and what follows by as much.
         let safe = |cut: f32| (cut - 4.0 * f32::EPSILON).max(0.0);
         Self {
             rect,

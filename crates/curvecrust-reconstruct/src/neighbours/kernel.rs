@@ -104,24 +104,20 @@ impl Kernel<'_> {
     /// always on a curve.
     #[inline(always)]
     fn choose_lanes(&self, leaf: &Leaf, first: usize, rect: Rect, choices: &mut [Choice]) {
-        let [mut x, mut y] = [[0.0; LANES]; 2];
-        for l in 0..LANES {
-            (x[l], y[l]) = (leaf.x[(first + l) % WIDTH], leaf.y[(first + l) % WIDTH]);
-        }
+        let x: [f64; LANES] = std::array::from_fn(|l| leaf.x[(first + l) % WIDTH]);
+        let y: [f64; LANES] = std::array::from_fn(|l| leaf.y[(first + l) % WIDTH]);
         let [nearest, second, third] = self.candidates.closest(&x, &y);
-        let [mut n0, mut h] = [[(DVec2::ZERO, 0); LANES]; 2];
-        let mut is_certain = [false; LANES];
-        for l in 0..LANES {
-            n0[l] = self.candidates.of_key(nearest[l]);
-            h[l] = self.candidates.of_key(second[l]);
+        let n0 = nearest.map(|key| self.candidates.of_key(key));
+        let h = second.map(|key| self.candidates.of_key(key));
+        let is_certain: [bool; LANES] = std::array::from_fn(|l| {
             let s = DVec2::new(x[l], y[l]);
             let (a, side) = (h[l].0 - s, side(s, rect));
             let plane = HalfPlane::new(self.rule, s, n0[l].0);
-            is_certain[l] = is_closer(nearest[l], second[l])
+            is_closer(nearest[l], second[l])
                 & is_closer(second[l], third[l])
                 & (a.length_squared() < side * side)
-                & plane.certainly_contains(h[l].0);
-        }
+                & plane.certainly_contains(h[l].0)
+        });
         for (l, choice) in choices.iter_mut().enumerate().take(LANES) {
             *choice = if is_certain[l] {
                 [n0[l].1, h[l].1]
