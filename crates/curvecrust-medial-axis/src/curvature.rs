@@ -1,18 +1,17 @@
 //! Curvature of the smooth curve itself, where dense points say too little of it.
 
-use curvecrust_curve::{CubicBezier, Curve, CurveParam, DenseCurve};
+use curvecrust_curve::{Curve, CurveParam, DenseCurve};
 use curvecrust_geometry::{DVec2, SegmentTree};
 
 use crate::crossing::chord;
-use crate::span::{Span, segment};
+use crate::span::{Span, curvature, segment};
 
 /// The smaller radius of curvature at the two ends of a gap, seen from within its segment: an upper
 /// bound of lfs there, which a coarse medial axis may not show yet. Infinite where the curve does
 /// not bend or its parameter stands still.
 pub(crate) fn least_radius(curve: &Curve, from: CurveParam, to: CurveParam) -> f64 {
     let span = Span::new(curve, from, to);
-    let radius = |t: f64| 1.0 / curvature(span.segment, t).abs();
-    radius(span.from).min(radius(span.to))
+    span.radius(span.from).min(span.radius(span.to))
 }
 
 /// The centres of curvature on both sides of every join that belong to the medial axis, each with
@@ -52,15 +51,4 @@ pub(crate) fn centres_at_joins(
             (distance >= free * radius.abs()).then_some((i, centre))
         })
         .collect()
-}
-
-/// Signed: positive where the curve turns left; 0 where its parameter stands still.
-fn curvature(bezier: &CubicBezier, t: f64) -> f64 {
-    let (first, second) = (bezier.derivative(t), bezier.second_derivative(t));
-    let curvature = first.perp_dot(second) / first.length().powi(3);
-    if curvature.is_finite() {
-        curvature
-    } else {
-        0.0
-    }
 }

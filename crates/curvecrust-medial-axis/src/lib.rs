@@ -6,7 +6,8 @@
 //! | [`axis`] | [`MedialAxis`] of a discretised curve, from the Voronoi diagram of its points | Amenta, Bern, Eppstein 1998 |
 //! | [`lfs`] | [`LocalFeatureSize`] of every dense point, and the [reach](LocalFeatureSize::reach) of intervals | SGP 2016, Section 4 and Definition 2 |
 //! | [`shrinking_ball`] | the estimator of the paper's authors: one medial point for each dense point | Ma, Bae, Choi 2012 |
-//! | [`discretise`] | [`measure`]: dense points, as many as the lfs asks for, and the lfs at each | |
+//! | [`measured_curve`] | [`MeasuredCurve`]: dense points and the lfs at each | |
+//! | [`discretise`] | [`measure`]: as many dense points as the lfs asks for, and [`measure_axis`]: as few as the axis does | |
 //! | [`pieces`] | [`measure_pieces`]: the lfs of smooth pieces that meet in corners, and [`strokes_of`] them | |
 //!
 //! ```
@@ -28,19 +29,23 @@ mod crossing;
 mod curvature;
 pub mod discretise;
 pub mod error;
+mod facing;
 mod gaps;
+mod ladder;
 pub mod lfs;
+mod maximal_disc;
+pub mod measured_curve;
 pub mod pieces;
+mod refine;
 pub mod shrinking_ball;
 mod span;
 mod strokes;
 
 pub use axis::{AxisEdge, MedialAxis};
-pub use discretise::{
-    Discretisation, Estimator, MeasureOptions, MeasuredCurve, measure, measure_with,
-};
+pub use discretise::{Discretisation, MeasureOptions, measure, measure_axis, measure_with};
 pub use error::MedialAxisError;
 pub use lfs::LocalFeatureSize;
+pub use measured_curve::{Estimator, MeasuredCurve};
 pub use pieces::{MeasurePiecesOptions, measure_pieces, measure_pieces_with};
 pub use strokes::{strokes_of, without_lfs_at};
 

@@ -27,10 +27,12 @@ use curvecrust_geometry::{Component, DVec2, Progress, SegmentTree};
 
 use crate::axis::MedialAxis;
 use crate::crossing::chord;
-use crate::discretise::{GAP_TO_LFS, MeasuredCurve, TOUCHING, refine_axis, settle};
+use crate::discretise::GAP_TO_LFS;
 use crate::error::MedialAxisError;
 use crate::gaps::GapLimits;
 use crate::lfs::LocalFeatureSize;
+use crate::measured_curve::MeasuredCurve;
+use crate::refine::{TOUCHING, refine_axis, settle};
 
 /// HNN-Crust joins no edges that meet at this angle or less, in degrees (SGP 2016, Section 3).
 const LEAST_ANGLE: f64 = 60.0;

@@ -31,6 +31,33 @@ impl<'a> Span<'a> {
         Segment::new(self.segment.point(self.from), self.segment.point(self.to))
     }
 
+    /// The length of the curve, by Simpson's rule.
+    pub(crate) fn length(self) -> f64 {
+        let middle = f64::midpoint(self.from, self.to);
+        let [a, b, c] = [self.from, middle, self.to].map(|t| self.segment.derivative(t).length());
+        (self.to - self.from) * (a + 4.0 * b + c) / 6.0
+    }
+
+    /// An upper bound of the distance of the curve to its chord.
+    pub(crate) fn sagitta(self) -> f64 {
+        // The second derivative changes linearly: it is largest at an end.
+        let [from, to] = [self.from, self.to].map(|t| self.segment.second_derivative(t));
+        let width = self.to - self.from;
+        from.length().max(to.length()) * width * width / 8.0
+    }
+
+    /// The radius of curvature at a parameter: infinite where the curve does not bend or its
+    /// parameter stands still.
+    pub(crate) fn radius(self, t: f64) -> f64 {
+        1.0 / curvature(self.segment, t).abs()
+    }
+
+    /// The least radius of curvature at the ends and in the middle.
+    pub(crate) fn least_radius(self) -> f64 {
+        let middle = self.radius(f64::midpoint(self.from, self.to));
+        self.radius(self.from).min(middle).min(self.radius(self.to))
+    }
+
     pub(crate) fn halves(self) -> [Self; 2] {
         let middle = f64::midpoint(self.from, self.to);
         [
@@ -40,5 +67,16 @@ impl<'a> Span<'a> {
                 ..self
             },
         ]
+    }
+}
+
+/// Signed: positive where the curve turns left; 0 where its parameter stands still.
+pub(crate) fn curvature(bezier: &CubicBezier, t: f64) -> f64 {
+    let (first, second) = (bezier.derivative(t), bezier.second_derivative(t));
+    let curvature = first.perp_dot(second) / first.length().powi(3);
+    if curvature.is_finite() {
+        curvature
+    } else {
+        0.0
     }
 }

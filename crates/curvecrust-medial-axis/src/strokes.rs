@@ -3,9 +3,9 @@
 use curvecrust_curve::{BezierPath, CurveParam, DenseCurve, SplitCurve};
 use curvecrust_geometry::{Component, DVec2};
 
-use crate::discretise::MeasuredCurve;
 use crate::error::MedialAxisError;
 use crate::lfs::LocalFeatureSize;
+use crate::measured_curve::MeasuredCurve;
 
 /// The strokes of a curve, of which each smooth piece [was measured](crate::measure_pieces): the
 /// components of the dense curve are those of the [strokes](SplitCurve::components), and a corner

@@ -7,7 +7,8 @@ use crate::sample::Asked;
 use crate::work::Run;
 use curvecrust::curve::{SplitCurve, strands};
 use curvecrust::medial_axis::{
-    MeasuredCurve, MedialAxis, MedialAxisError, measure, measure_pieces, strokes_of,
+    MeasureOptions, MeasuredCurve, MedialAxis, MedialAxisError, measure, measure_axis,
+    measure_pieces, strokes_of,
 };
 use curvecrust::sampling::{
     Attained, check as check_samples, effective_epsilon, effective_rho, project_on_pieces,
@@ -43,8 +44,26 @@ impl Strokes {
     }
 }
 
+/// The medial axis, and the dense points that it is of.
+fn axis_of(split: SplitCurve) -> PyResult<(MedialAxis, MeasuredCurve)> {
+    if is_smooth(&split) {
+        match measure_axis(split.pieces(), &MeasureOptions::default()) {
+            Err(error) if error.touch().is_some() => {}
+            found => return found.map_err(value_error),
+        }
+    }
+    let measured = Strokes::measure(split)?.whole()?;
+    let axis = MedialAxis::new(measured.dense()).map_err(value_error)?;
+    Ok((axis, measured))
+}
+
+/// Whether there are no corners.
+fn is_smooth(split: &SplitCurve) -> bool {
+    split.pieces().components().len() == split.components().len()
+}
+
 fn measured(split: &SplitCurve) -> Result<MeasuredCurve, MedialAxisError> {
-    if split.pieces().components().len() == split.components().len() {
+    if is_smooth(split) {
         measure(split.pieces())
     } else {
         measure_pieces(split)
@@ -74,8 +93,7 @@ pub(crate) fn medial_axis<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let split = curve.get().split.clone();
     let (points, edges) = Run::plain(py).work(move |_| {
-        let measured = Strokes::measure(split)?.whole()?;
-        let axis = MedialAxis::new(measured.dense()).map_err(value_error)?;
+        let (axis, measured) = axis_of(split)?;
         Ok((
             measured.dense().points().to_vec(),
             axis.edges().collect::<Vec<_>>(),

@@ -59,6 +59,8 @@ const GAP_TO_LFS: f64 = 0.02;
 const GAP_TO_BOUND: f64 = 0.05;
 /// The same where there are many dense points: this costs up to 3 % more samples.
 const GAP_TO_BOUND_OF_MANY: f64 = 0.1;
+/// The same where that makes more dense points than are supported: up to a tenth more samples.
+const GAP_TO_BOUND_OF_MOST: f64 = 0.25;
 /// Arcs that are to be smaller are tried at first, to see how many there would be.
 const TRIED: f64 = 1e-3;
 
@@ -112,22 +114,28 @@ pub(crate) fn as_finely_as_needed(
     let bound = condition.bound().value();
     let wanted = GAP_TO_LFS.min(GAP_TO_BOUND * bound);
     // Gaps that proved too long for the bound do not grow.
-    let of_many = |gap_to_lfs| {
+    let of_many = |gap_to_lfs, of_bound| {
         if gap_to_lfs < wanted {
             gap_to_lfs
         } else {
-            GAP_TO_BOUND_OF_MANY * bound
+            of_bound * bound
         }
     };
+    let mut of_bound = GAP_TO_BOUND_OF_MANY;
     let mut gap_to_lfs = wanted.max(TRIED);
     let mut too_many = None;
     loop {
-        let measured = match (measured(gap_to_lfs, of_many(gap_to_lfs)), too_many) {
-            (Err(MedialAxisError::Dense(DenseError::TooMany { .. })), Some(asked)) => {
+        let found = measured(gap_to_lfs, of_many(gap_to_lfs, of_bound));
+        if let Err(MedialAxisError::Dense(DenseError::TooMany { .. })) = found {
+            if gap_to_lfs >= wanted && of_bound < GAP_TO_BOUND_OF_MOST {
+                of_bound = GAP_TO_BOUND_OF_MOST;
+                continue;
+            }
+            if let Some(asked) = too_many {
                 return Err(asked);
             }
-            (measured, _) => measured?,
-        };
+        }
+        let measured = found?;
         let finer = if gap_to_lfs > wanted {
             wanted
         } else {
@@ -140,7 +148,7 @@ pub(crate) fn as_finely_as_needed(
             }
         };
         let asked = asked_for(&measured, condition).0;
-        let longest = finer.max(of_many(finer));
+        let longest = finer.max(of_many(finer, of_bound));
         if steps(&measured, |lfs| longest * lfs) > DENSE_LIMIT as f64 {
             return Err(asked);
         }

@@ -10,8 +10,8 @@ use curvecrust::curve::svg::{Drawing, ElementName, Selection};
 use curvecrust::curve::{Curve, CurveError, SplitCurve, Strands, strands};
 use curvecrust::geometry::Progress;
 use curvecrust::medial_axis::{
-    Discretisation, MeasureOptions, MeasurePiecesOptions, MeasuredCurve, MedialAxisError,
-    measure_pieces_with, measure_with, strokes_of,
+    Discretisation, MeasureOptions, MeasurePiecesOptions, MeasuredCurve, MedialAxis,
+    MedialAxisError, measure_axis, measure_pieces_with, measure_with, strokes_of,
 };
 use curvecrust::sampling::{Condition, SamplingError};
 use std::cell::OnceCell;
@@ -237,19 +237,29 @@ impl CurveSource {
         condition: Option<Condition>,
         console: &Console,
     ) -> anyhow::Result<MeasuredCurve> {
+        let options = self.options(condition);
+        let measured = console.during("measuring the local feature size", |progress| {
+            let progress = Progress::new(progress);
+            measure_with(
+                curve,
+                &MeasureOptions {
+                    progress,
+                    ..options
+                },
+            )
+        });
+        measured.map_err(|error| self.named(error))
+    }
+
+    /// How smooth curves are measured, finely enough for a condition.
+    fn options(&self, condition: Option<Condition>) -> MeasureOptions<'static> {
         let adaptive = Discretisation::Adaptive {
             gap_to_lfs: finest(condition),
         };
-        let discretisation = self.discretisation.unwrap_or(adaptive);
-        let measured = console.during("measuring the local feature size", |progress| {
-            let options = MeasureOptions {
-                discretisation,
-                progress: Progress::new(progress),
-                ..MeasureOptions::default()
-            };
-            measure_with(curve, &options)
-        });
-        measured.map_err(|error| self.named(error))
+        MeasureOptions {
+            discretisation: self.discretisation.unwrap_or(adaptive),
+            ..MeasureOptions::default()
+        }
     }
 
     /// Measures the local feature size of strokes that may have corners; where they touch, of what
@@ -275,6 +285,36 @@ impl CurveSource {
         self.whole(cut.curve, pieces, asked)
     }
 
+    /// The medial axis of strokes that may have corners; where they touch, of what is left of them
+    /// when they are cut there.
+    pub(super) fn measure_axis(
+        &self,
+        split: SplitCurve,
+        console: &Console,
+    ) -> anyhow::Result<(SplitCurve, MedialAxis)> {
+        if is_smooth(&split) {
+            let options = self.options(None);
+            let measured = console.during("measuring the medial axis", |progress| {
+                let progress = Progress::new(progress);
+                measure_axis(
+                    split.pieces(),
+                    &MeasureOptions {
+                        progress,
+                        ..options
+                    },
+                )
+            });
+            match measured {
+                Ok((axis, _)) => return Ok((split, axis)),
+                Err(error) if error.touch().is_some() && self.splits() => {}
+                Err(error) => return Err(self.named(error)),
+            }
+        }
+        let strokes = self.measure_strokes(split, |_| Ok(None), console)?;
+        let axis = MedialAxis::new(strokes.measured.dense())?;
+        Ok((strokes.split, axis))
+    }
+
     fn whole(
         &self,
         split: SplitCurve,
@@ -296,7 +336,7 @@ impl CurveSource {
         condition: Option<Condition>,
         console: &Console,
     ) -> anyhow::Result<MeasuredCurve> {
-        if split.pieces().components().len() == split.components().len() {
+        if is_smooth(split) {
             return self.measure(split.pieces(), condition, console);
         }
         let gap_to_lfs = match self.discretisation {
@@ -317,6 +357,11 @@ impl CurveSource {
         });
         measured.map_err(|error| self.named(error))
     }
+}
+
+/// Whether there are no corners.
+fn is_smooth(split: &SplitCurve) -> bool {
+    split.pieces().components().len() == split.components().len()
 }
 
 /// The largest gap between dense points as a share of lfs that a condition asks for.

@@ -10,7 +10,7 @@ use crate::output::{Layer, Output, Picture, Places};
 use curvecrust::curve::Curve;
 use curvecrust::denoise::{Fitted, denoise};
 use curvecrust::geometry::Segment;
-use curvecrust::medial_axis::{MeasuredCurve, MedialAxis};
+use curvecrust::medial_axis::MeasuredCurve;
 use curvecrust::reconstruct::{Explanation, HnnCrust, Known, Reconstruction};
 
 /// What is drawn, and where the picture goes.
@@ -83,17 +83,19 @@ struct DrawnCurve<'a> {
 impl CurveLayers {
     fn read(&self, console: &Console) -> anyhow::Result<DrawnCurve<'_>> {
         let split = self.source.read(console)?;
-        let (curve, measured) = if self.medial_axis || self.lfs {
+        let (split, measured) = if self.lfs {
             let strokes = self.source.measure_strokes(split, |_| Ok(None), console)?;
-            (strokes.split.pieces().clone(), Some(strokes.measured))
+            (strokes.split, Some(strokes.measured))
         } else {
-            (split.pieces().clone(), None)
+            (split, None)
         };
-        let mut axis = Vec::new();
-        if let Some(measured) = measured.as_ref().filter(|_| self.medial_axis) {
-            let found = MedialAxis::new(measured.dense())?;
-            axis.extend(found.edges().map(|edge| edge.segment));
-        }
+        let (split, axis) = if self.medial_axis {
+            let (split, axis) = self.source.measure_axis(split, console)?;
+            (split, axis.edges().map(|edge| edge.segment).collect())
+        } else {
+            (split, Vec::new())
+        };
+        let curve = split.pieces().clone();
         Ok(DrawnCurve {
             asked: self,
             curve,

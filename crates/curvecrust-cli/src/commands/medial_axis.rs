@@ -11,7 +11,6 @@ use crate::output::{
 };
 use curvecrust::curve::Curve;
 use curvecrust::geometry::Segment;
-use curvecrust::medial_axis::MedialAxis;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -50,11 +49,10 @@ impl Job {
 
     pub(crate) fn run(self, console: &Console) -> anyhow::Result<Outcome> {
         let split = self.curve.read(console)?;
-        let strokes = self.curve.measure_strokes(split, |_| Ok(None), console)?;
-        let axis = MedialAxis::new(strokes.measured.dense())?;
+        let (split, axis) = self.curve.measure_axis(split, console)?;
         let segments: Vec<Segment> = axis.edges().map(|edge| edge.segment).collect();
         if let Some(output) = &self.results.output {
-            write(output, strokes.split.pieces(), &segments)?;
+            write(output, split.pieces(), &segments)?;
         }
         self.results.print_json(|| Ok(object(&segments)))?;
         console.note(format_args!("{} segments", segments.len()));
