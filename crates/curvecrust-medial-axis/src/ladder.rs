@@ -76,11 +76,11 @@ fn key(at: CurveParam) -> Key {
     (at.component, at.segment, (at.t + 0.0).to_bits())
 }
 
-/// A point of the curve and the maximal discs on its left and on its right, where they are small.
+/// A point of the curve and the maximal discs on its left and on its right.
 struct Place {
     at: CurveParam,
     point: DVec2,
-    discs: [Option<MaximalDisc>; 2],
+    discs: [MaximalDisc; 2],
 }
 
 /// What becomes of a gap.
@@ -116,7 +116,11 @@ impl Ladder<'_> {
     /// Takes the first places, and those that face them.
     fn begin(&mut self, first: &DenseCurve) {
         for (&at, &point) in first.params().iter().zip(first.points()) {
-            let discs = [None; 2];
+            let unknown = MaximalDisc {
+                radius: 0.0,
+                touches: None,
+            };
+            let discs = [unknown; 2];
             self.places.insert(key(at), Place { at, point, discs });
         }
         for &at in first.params() {
@@ -170,10 +174,9 @@ impl Ladder<'_> {
             let point = segment(self.curve, at).point(at.t);
             let disc = |left| self.discs.at(at, left, length / self.gap_to_radius);
             let discs = [true, false].map(disc);
-            for disc in discs.iter().flatten() {
-                if NEAR * disc.radius < length && self.find(disc.touches, *disc, length).is_none() {
-                    open.push(disc.touches);
-                }
+            for disc in &discs {
+                let near = disc.touches.filter(|_| NEAR * disc.radius < length);
+                open.extend(near.filter(|_| self.facing_end(disc, length).is_none()));
             }
             self.places.insert(key, Place { at, point, discs });
             self.open.extend(self.previous(key));
@@ -198,9 +201,8 @@ impl Ladder<'_> {
         let span = self.span(start, end);
         let length = span.length();
         let radius = |side: usize| {
-            let discs = [start, end].map(|key| self.places[&key].discs[side]);
-            let radii = discs.iter().flatten().map(|disc| disc.radius);
-            radii.fold(f64::INFINITY, f64::min)
+            let radii = [start, end].map(|key| self.places[&key].discs[side].radius);
+            radii[0].min(radii[1])
         };
         let radii = [0, 1].map(radius);
         let least = radii[0].min(radii[1]);
@@ -226,10 +228,9 @@ impl Ladder<'_> {
     /// The gap that one faces on a side, near enough for their lengths, by its first place.
     fn faced(&self, start: Key, end: Key, side: usize) -> Option<Key> {
         let here = self.span(start, end);
-        let a = self.places[&start].discs[side]?;
-        let b = self.places[&end].discs[side]?;
-        let first = self.find(a.touches, a, here.length())?;
-        let second = self.find(b.touches, b, here.length())?;
+        let [a, b] = [start, end].map(|key| &self.places[&key].discs[side]);
+        let first = self.facing_end(a, here.length())?;
+        let second = self.facing_end(b, here.length())?;
         let (first, second) = if self.next(first) == Some(second) {
             (first, second)
         } else {
@@ -244,7 +245,8 @@ impl Ladder<'_> {
     }
 
     /// The place where a disc touches, if it is one of the places, for gaps of a length.
-    fn find(&self, at: CurveParam, disc: MaximalDisc, length: f64) -> Option<Key> {
+    fn facing_end(&self, disc: &MaximalDisc, length: f64) -> Option<Key> {
+        let at = disc.touches?;
         // Two points that miss each other by d lean their Voronoi edge by d / 2 r, which moves it by
         // d / 4 r of the length at the ends of the gap.
         let lean = 4.0 * SAME * disc.radius * (disc.radius / length).min(1.0);

@@ -17,12 +17,13 @@ use rstar::{AABB, RTree};
 
 use crate::span::{Span, segment};
 
-/// A disc that is tangent to a curve at a place that is known.
+/// A disc that is tangent to a curve at a place that is known, and holds none of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MaximalDisc {
     pub(crate) radius: f64,
-    /// The other place where it touches the curve.
-    pub(crate) touches: CurveParam,
+    /// The other place where it touches the curve; `None` if it is not maximal, but as large as it
+    /// was looked for.
+    pub(crate) touches: Option<CurveParam>,
 }
 
 /// A curve as spans, from which maximal discs are found.
@@ -74,9 +75,9 @@ impl<'a> MaximalDiscs<'a> {
         )
     }
 
-    /// The maximal disc at a place, on the left of the curve or on its right; `None` if its radius
-    /// is not below `limit`, or not below the radius of curvature of the curve around the place.
-    pub(crate) fn at(&self, place: CurveParam, left: bool, limit: f64) -> Option<MaximalDisc> {
+    /// The maximal disc at a place, on the left of the curve or on its right, or one of the radius
+    /// `limit` or of the least radius of curvature around the place, if the maximal one is larger.
+    pub(crate) fn at(&self, place: CurveParam, left: bool, limit: f64) -> MaximalDisc {
         let own = self.around(place);
         let radii = own.iter().flatten().map(|&i| self.span(i).least_radius());
         let limit = radii.fold(limit, f64::min);
@@ -96,18 +97,16 @@ impl<'a> MaximalDiscs<'a> {
                 radius,
                 touches: None,
             };
-            if let Some(disc) = self.smallest(search, own) {
-                return Some(disc);
-            }
-            if radius >= limit {
-                return None;
+            let disc = self.smallest(search, own);
+            if disc.touches.is_some() || radius >= limit {
+                return disc;
             }
             radius = (GROWTH * radius).min(limit);
         }
     }
 
     /// The smallest disc that touches a span other than the own ones.
-    fn smallest(&self, mut search: Search, own: [Option<usize>; 3]) -> Option<MaximalDisc> {
+    fn smallest(&self, mut search: Search, own: [Option<usize>; 3]) -> MaximalDisc {
         let centre = search.centre();
         let reach = DVec2::splat(search.radius);
         let disc = AABB::from_corners((centre - reach).to_array(), (centre + reach).to_array());
@@ -121,11 +120,10 @@ impl<'a> MaximalDiscs<'a> {
         for &i in &near {
             search.try_along(i, self.span(i));
         }
-        let (i, t) = search.touches?;
-        Some(MaximalDisc {
+        MaximalDisc {
             radius: search.radius,
-            touches: self.place(i, t),
-        })
+            touches: search.touches.map(|(i, t)| self.place(i, t)),
+        }
     }
 
     /// The spans at a place, before and after it.
@@ -274,7 +272,8 @@ mod tests {
         for place in DenseCurve::per_segment(&curve, 37).unwrap().params() {
             for left in [true, false] {
                 let truth = by_definition(&curve, *place, left, limit);
-                let Some(disc) = discs.at(*place, left, limit) else {
+                let disc = discs.at(*place, left, limit);
+                let Some(touches) = disc.touches else {
                     assert!(truth >= 0.999 * limit, "{place:?} {left}: {truth}");
                     continue;
                 };
@@ -284,12 +283,12 @@ mod tests {
                     "{place:?} {left}: {truth}"
                 );
                 // The other place has the same disc.
-                let at = segment(&curve, disc.touches).point(disc.touches.t);
+                let at = segment(&curve, touches).point(touches.t);
                 let p = segment(&curve, *place).point(place.t);
-                let back = [true, false].map(|left| discs.at(disc.touches, left, limit));
-                let back = back.iter().flatten().find(|back| {
-                    let there = segment(&curve, back.touches).point(back.touches.t);
-                    there.distance(p) < 1e-9
+                let back = [true, false].map(|left| discs.at(touches, left, limit));
+                let back = back.iter().find(|back| {
+                    let there = back.touches.map(|at| segment(&curve, at).point(at.t));
+                    there.is_some_and(|there| there.distance(p) < 1e-9)
                 });
                 let is_end = [0.0, 12.0].contains(&at.x);
                 assert!(is_end || back.is_some_and(|b| (b.radius - disc.radius).abs() < 1e-12));

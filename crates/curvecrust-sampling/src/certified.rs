@@ -59,7 +59,7 @@ const GAP_TO_LFS: f64 = 0.02;
 const GAP_TO_BOUND: f64 = 0.05;
 /// The same where there are many dense points: this costs up to 3 % more samples.
 const GAP_TO_BOUND_OF_MANY: f64 = 0.1;
-/// The same where that makes more dense points than are supported: up to a tenth more samples.
+/// The same where that makes more dense points than are supported: this costs a sixth more samples.
 const GAP_TO_BOUND_OF_MOST: f64 = 0.25;
 /// Arcs that are to be smaller are tried at first, to see how many there would be.
 const TRIED: f64 = 1e-3;
