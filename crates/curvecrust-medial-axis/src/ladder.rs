@@ -33,7 +33,8 @@ use crate::span::{Span, segment};
 /// The square of a gap that faces another is at most this share of the product of the radius of
 /// curvature and that of the disc: at most 0.13 % of lfs are lost.
 const BEND: f64 = 0.01;
-/// Places that are so near to each other that the axis moves by less than this share of lfs are one.
+/// Places are one if they are so near to each other that the axis moves by less than this share of
+/// lfs.
 const SAME: f64 = 1e-3;
 /// Rounding errors, as a share of the extent of the curve, with a wide margin.
 const ROUNDING: f64 = 1e-14;
@@ -67,8 +68,8 @@ pub(crate) fn facing_points(
     ladder.dense(start).map(Some)
 }
 
-/// The name of a place, in order along the curve: component, segment, and the bits of its parameter,
-/// which is not negative.
+/// The name of a place, in order along the curve: component, segment, and the bits of its
+/// parameter, which is not negative.
 type Key = (u32, u32, u64);
 
 fn key(at: CurveParam) -> Key {
@@ -247,8 +248,8 @@ impl Ladder<'_> {
     /// The place where a disc touches, if it is one of the places, for gaps of a length.
     fn facing_end(&self, disc: &MaximalDisc, length: f64) -> Option<Key> {
         let at = disc.touches?;
-        // Two points that miss each other by d lean their Voronoi edge by d / 2 r, which moves it by
-        // d / 4 r of the length at the ends of the gap.
+        // Two points that miss each other by d lean their Voronoi edge by d / 2 r, which moves it
+        // by d / 4 r of the length at the ends of the gap.
         let lean = 4.0 * SAME * disc.radius * (disc.radius / length).min(1.0);
         // The circle of three points that are nearer to each other is smaller than the disc if
         // rounding has its way.

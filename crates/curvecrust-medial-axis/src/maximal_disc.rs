@@ -1,8 +1,8 @@
 //! Maximal discs of a smooth curve itself: tangent at one place, touching another, holding none.
 //!
-//! The centres of maximal discs are the medial axis (H. Blum 1967). The radius of the disc that is
-//! tangent at p, on the side of the normal n, and passes through x is |x - p|^2 / (2 n.(x - p)); the
-//! maximal disc is the one whose other touching place makes this least. It is found by halving
+//! The centres of maximal discs are the medial axis (H. Blum 1967). The disc that is tangent at p,
+//! on the side of the normal n, and passes through x has the radius |x - p|^2 / (2 n.(x - p)). The
+//! other place where the maximal disc touches the curve makes this least. It is found by halving
 //! spans of the curve, of which those outside of the best disc so far fall away, and by Newton's
 //! method where a span is nearly straight.
 //!
