@@ -168,21 +168,28 @@ impl Ladder<'_> {
 
     /// Adds a place and those that face it, across all strands that are near.
     fn insert(&mut self, at: CurveParam) {
-        let mut open = vec![at];
-        while let Some(at) = open.pop() {
-            let key = key(at);
-            let length = self.length_around(key);
-            let point = segment(self.curve, at).point(at.t);
-            let disc = |left| self.discs.at(at, left, length / self.gap_to_radius);
-            let discs = [true, false].map(disc);
-            for disc in &discs {
-                let near = disc.touches.filter(|_| NEAR * disc.radius < length);
-                open.extend(near.filter(|_| self.facing_end(disc, length).is_none()));
+        let mut facing = self.place(at);
+        while let Some((disc, length)) = facing.pop() {
+            // Another one may have brought the place meanwhile.
+            if let (Some(at), None) = (disc.touches, self.facing_end(&disc, length)) {
+                facing.extend(self.place(at));
             }
-            self.places.insert(key, Place { at, point, discs });
-            self.open.extend(self.previous(key));
-            self.open.push(key);
         }
+    }
+
+    /// Adds a place, or looks for discs anew at one that is there. Its discs that touch strands
+    /// which are near are returned, with the length of the gap around it.
+    fn place(&mut self, at: CurveParam) -> Vec<(MaximalDisc, f64)> {
+        let key = key(at);
+        let length = self.length_around(key);
+        let point = segment(self.curve, at).point(at.t);
+        let disc = |left| self.discs.at(at, left, length / self.gap_to_radius);
+        let discs = [true, false].map(disc);
+        self.places.insert(key, Place { at, point, discs });
+        self.open.extend(self.previous(key));
+        self.open.push(key);
+        let near = discs.into_iter().filter(|disc| NEAR * disc.radius < length);
+        near.map(|disc| (disc, length)).collect()
     }
 
     /// The length of the gap that a place divides, or of the longer one beside it.
@@ -343,7 +350,7 @@ impl Ladder<'_> {
                     None => at.component == index,
                 };
                 while let Some(at) = others.next_if(is_before) {
-                    if key(at) > a && radius.is_none() && !self.is_at_end(at, a, b) {
+                    if key(at) > a && radius.is_none() && !self.is_at_end(at, a) {
                         points.push(segment(self.curve, at).point(at.t));
                         params.push(at);
                         radii.push(None);
@@ -357,17 +364,50 @@ impl Ladder<'_> {
         Ok(Facing { dense, radii })
     }
 
-    /// Whether a place is at one of the places before and after it.
-    fn is_at_end(&self, at: CurveParam, before: Key, after: Option<Key>) -> bool {
+    /// Whether a place is at one of the places before and after it, the first of which is given.
+    fn is_at_end(&self, at: CurveParam, before: Key) -> bool {
         let point = segment(self.curve, at).point(at.t);
-        let ends = [Some(before), after].into_iter().flatten();
-        ends.into_iter()
-            .any(|key| self.places[&key].point.distance(point) <= SHORT * self.extent)
+        let mut ends = [Some(before), self.next(before)].into_iter().flatten();
+        ends.any(|key| self.places[&key].point.distance(point) <= SHORT * self.extent)
     }
 
     /// The places of a component.
     fn of(&self, component: u32) -> impl DoubleEndedIterator<Item = (&Key, &Place)> {
         let (first, last) = ((component, 0, 0), (component, u32::MAX, u64::MAX));
         self.places.range(first..=last)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+    use super::*;
+
+    /// Rounded squares in rows: discs of many places touch the same other ones.
+    #[test]
+    fn no_place_comes_twice() {
+        let square = |x: f64, y: f64| {
+            format!(
+                "M {} {y} a .5 .5 0 0 0 -.5 .5 v 1 a .5 .5 0 0 0 .5 .5 h 1 a .5 .5 0 0 0 .5 -.5 \
+                 v -1 a .5 .5 0 0 0 -.5 -.5 Z ",
+                x + 0.5
+            )
+        };
+        let places = (0..9).map(|i| (f64::from(i % 3), f64::from(i / 3)));
+        let d: String = places
+            .map(|(i, j)| square(3.0 * i + 4.0, 3.0 * j + 2.0))
+            .collect();
+        let curve = Curve::from_path_data(&d).unwrap();
+        let start = DenseCurve::per_segment(&curve, 16).unwrap();
+        for gap_to_radius in [0.02, 0.05, 0.09] {
+            let facing = facing_points(&curve, &start, gap_to_radius, 1_000_000).unwrap();
+            let dense = facing.unwrap().dense;
+            let near = (0..dense.len()).filter(|&i| {
+                let next = dense.next(i).unwrap();
+                dense.points()[i].distance(dense.points()[next]) < 1e-9
+            });
+            assert_eq!(near.count(), 0);
+        }
     }
 }
