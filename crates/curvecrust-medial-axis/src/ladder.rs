@@ -24,7 +24,7 @@
 use std::collections::BTreeMap;
 
 use curvecrust_curve::{Curve, CurveParam, DenseCurve, DenseError};
-use curvecrust_geometry::{Component, DVec2, Interrupt};
+use curvecrust_geometry::{DVec2, Interrupt};
 
 use crate::facing::Facing;
 use crate::maximal_disc::{MaximalDisc, MaximalDiscs};
@@ -117,16 +117,21 @@ impl Ladder<'_> {
     /// Takes the first places, and those that face them.
     fn begin(&mut self, first: &DenseCurve) {
         for (&at, &point) in first.params().iter().zip(first.points()) {
-            let unknown = MaximalDisc {
-                radius: 0.0,
-                touches: None,
-            };
-            let discs = [unknown; 2];
-            self.places.insert(key(at), Place { at, point, discs });
+            self.add(at, point);
         }
         for &at in first.params() {
             self.insert(at);
         }
+    }
+
+    /// Adds a place before anything is known of its discs.
+    fn add(&mut self, at: CurveParam, point: DVec2) {
+        let unknown = MaximalDisc {
+            radius: 0.0,
+            touches: None,
+        };
+        let discs = [unknown; 2];
+        self.places.insert(key(at), Place { at, point, discs });
     }
 
     /// Halves gaps until none is long; whether that took no more than `most` places.
@@ -306,69 +311,66 @@ impl Ladder<'_> {
         found.map(|(&key, _)| key)
     }
 
-    /// The gaps that face others which face them, each by its first place, with its radius.
-    fn facing(&self) -> BTreeMap<Key, f64> {
+    /// The gaps that face others which face them, by their first places in order, each with its
+    /// radius.
+    fn facing(&self) -> Vec<(Key, f64)> {
         let gap = |&start: &Key| match self.gap(start, self.next(start)?) {
             Gap::Facing(faced) => Some((start, faced)),
             Gap::Plain | Gap::Long => None,
         };
-        let mut all: BTreeMap<Key, Faced> = self.places.keys().filter_map(gap).collect();
+        let mut all: Vec<(Key, Faced)> = self.places.keys().filter_map(gap).collect();
         loop {
-            let faces =
-                |faced: &Faced| faced.gaps.iter().flatten().all(|gap| all.contains_key(gap));
-            let one_sided = all.iter().filter(|(_, faced)| !faces(faced));
-            let one_sided: Vec<Key> = one_sided.map(|(&start, _)| start).collect();
-            if one_sided.is_empty() {
+            let faces = |start: &Key| all.binary_search_by_key(start, |(key, _)| *key).is_ok();
+            let mutual = all
+                .iter()
+                .map(|(_, faced)| faced.gaps.iter().flatten().all(faces));
+            let mutual: Vec<bool> = mutual.collect();
+            if !mutual.contains(&false) {
                 return all
                     .into_iter()
                     .map(|(start, faced)| (start, faced.radius))
                     .collect();
             }
-            for start in one_sided {
-                all.remove(&start);
-            }
+            let mut mutual = mutual.into_iter();
+            all.retain(|_| mutual.next() == Some(true));
         }
     }
 
     /// The places as dense points, with those of `start` where no gaps face each other.
-    fn dense(&self, start: &DenseCurve) -> Result<Facing, DenseError> {
+    fn dense(mut self, start: &DenseCurve) -> Result<Facing, DenseError> {
         let facing = self.facing();
-        let (mut points, mut params, mut radii) = (Vec::new(), Vec::new(), Vec::new());
-        let mut components = Vec::with_capacity(start.components().len());
-        let mut others = start.params().iter().copied().peekable();
-        for (index, component) in (0u32..).zip(start.components()) {
-            let first = points.len();
-            let mut places = self.of(index).peekable();
-            while let Some((&a, place)) = places.next() {
-                let b = places.peek().map(|&(&b, _)| b);
-                let radius = facing.get(&a).copied();
-                points.push(place.point);
-                params.push(place.at);
-                radii.push(radius);
-                let is_before = |at: &CurveParam| match b {
-                    Some(b) => key(*at) < b,
-                    None => at.component == index,
-                };
-                while let Some(at) = others.next_if(is_before) {
-                    if key(at) > a && radius.is_none() && !self.is_at_end(at, a) {
-                        points.push(segment(self.curve, at).point(at.t));
-                        params.push(at);
-                        radii.push(None);
-                    }
-                }
+        let radius = |start: Key| {
+            let found = facing.binary_search_by_key(&start, |(key, _)| *key);
+            found.ok().map(|index| facing[index].1)
+        };
+        for (&at, &point) in start.params().iter().zip(start.points()) {
+            let before = self.previous(key(at));
+            if before.is_some_and(|before| radius(before).is_none() && self.is_free(at, before)) {
+                self.add(at, point);
             }
-            let (range, closed) = (first..points.len(), component.closed);
-            components.push(Component { range, closed });
+        }
+        let (mut points, mut params, mut radii) = (Vec::new(), Vec::new(), Vec::new());
+        let mut components = start.components().to_vec();
+        for (&start, place) in &self.places {
+            points.push(place.point);
+            params.push(place.at);
+            radii.push(radius(start));
+            components[start.0 as usize].range.end = points.len();
+        }
+        for i in 1..components.len() {
+            components[i].range.start = components[i - 1].range.end;
         }
         let dense = DenseCurve::new(points, params, components)?;
         Ok(Facing { dense, radii })
     }
 
-    /// Whether a place is at one of the places before and after it, the first of which is given.
-    fn is_at_end(&self, at: CurveParam, before: Key) -> bool {
+    /// Whether no place is at a place, given the one before it.
+    fn is_free(&self, at: CurveParam, before: Key) -> bool {
         let point = segment(self.curve, at).point(at.t);
-        let mut ends = [Some(before), self.next(before)].into_iter().flatten();
-        ends.any(|key| self.places[&key].point.distance(point) <= SHORT * self.extent)
+        let is_there = |key: Key| self.places[&key].point.distance(point) <= SHORT * self.extent;
+        !self.places.contains_key(&key(at))
+            && !is_there(before)
+            && !self.next(before).is_some_and(is_there)
     }
 
     /// The places of a component.
@@ -379,35 +381,4 @@ impl Ladder<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-    use super::*;
-
-    /// Rounded squares in rows: discs of many places touch the same other ones.
-    #[test]
-    fn no_place_comes_twice() {
-        let square = |x: f64, y: f64| {
-            format!(
-                "M {} {y} a .5 .5 0 0 0 -.5 .5 v 1 a .5 .5 0 0 0 .5 .5 h 1 a .5 .5 0 0 0 .5 -.5 \
-                 v -1 a .5 .5 0 0 0 -.5 -.5 Z ",
-                x + 0.5
-            )
-        };
-        let places = (0..9).map(|i| (f64::from(i % 3), f64::from(i / 3)));
-        let d: String = places
-            .map(|(i, j)| square(3.0 * i + 4.0, 3.0 * j + 2.0))
-            .collect();
-        let curve = Curve::from_path_data(&d).unwrap();
-        let start = DenseCurve::per_segment(&curve, 16).unwrap();
-        for gap_to_radius in [0.02, 0.05, 0.09] {
-            let facing = facing_points(&curve, &start, gap_to_radius, 1_000_000).unwrap();
-            let dense = facing.unwrap().dense;
-            let near = (0..dense.len()).filter(|&i| {
-                let next = dense.next(i).unwrap();
-                dense.points()[i].distance(dense.points()[next]) < 1e-9
-            });
-            assert_eq!(near.count(), 0);
-        }
-    }
-}
+mod tests;

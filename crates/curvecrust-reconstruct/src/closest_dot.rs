@@ -142,7 +142,7 @@ pub fn joins(dots: &Dots) -> Vec<Join> {
     let interrupt = Interrupt::current();
     let mut joins = Vec::new();
     for (colour, ids) in dots.of_colours() {
-        let place = |&id: &PointId| GeomWithData::new(dots.points[id].to_array(), id);
+        let place = |&id: &PointId| GeomWithData::new(dots.points[id].to_array(), id.index());
         let tree = RTree::bulk_load(ids.iter().map(place).collect());
         let found: Vec<Option<Join>> = ids
             .par_iter()
@@ -160,14 +160,15 @@ pub fn joins(dots: &Dots) -> Vec<Join> {
 /// The closest other dot in a tree of dots of one colour.
 fn join(
     points: &PointSet,
-    tree: &RTree<GeomWithData<[f64; 2], PointId>>,
+    tree: &RTree<GeomWithData<[f64; 2], usize>>,
     dot: PointId,
     colour: Colour,
 ) -> Option<Join> {
     let at = points[dot];
     let squared = |id: PointId| (points[id] - at).length_squared();
     let others = tree.nearest_neighbor_iter(at.to_array());
-    let mut others = others.map(|place| place.data).filter(|&id| id != dot);
+    let others = others.filter_map(|place| PointId::new(place.data));
+    let mut others = others.filter(|&id| id != dot);
     let mut closest = others.next()?;
     let distance = squared(closest);
     // That of the second closest, even where it is as far as the closest.

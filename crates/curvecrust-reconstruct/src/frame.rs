@@ -30,8 +30,9 @@ type Place = GeomWithData<[f64; 2], usize>;
 pub(crate) struct Frame {
     origin: DVec2,
     places: RTree<Place>,
-    /// The rectangles hold the places of all vertices of a group.
-    groups: RTree<GeomWithData<Rectangle<[f64; 2]>, Self>>,
+    groups: Vec<Self>,
+    /// The rectangles hold the places of all vertices of a group, which is given by its index.
+    boxes: RTree<GeomWithData<Rectangle<[f64; 2]>, usize>>,
 }
 
 impl Frame {
@@ -51,33 +52,24 @@ impl Frame {
             }
         }
         fine.sort_unstable_by_key(|&(cell, item)| (cell, item.data));
-        let mut groups = Vec::new();
+        let (mut groups, mut boxes) = (Vec::new(), Vec::new());
         for group in fine.chunk_by(|(a, _), (b, _)| a == b) {
             let items = group.iter().map(|&(_, item)| item);
             if group.len() <= FEW {
                 places.extend(items);
             } else {
-                groups.push(Self::group(vertices, items));
+                boxes.push(GeomWithData::new(bounds(items.clone()), groups.len()));
+                // The origin has to be in the group, where some triangle is not fine, so that
+                // nesting ends.
+                groups.push(Self::new(vertices, items.map(|item| item.data).collect()));
             }
         }
         Self {
             origin,
             places: RTree::bulk_load(places),
-            groups: RTree::bulk_load(groups),
+            groups,
+            boxes: RTree::bulk_load(boxes),
         }
-    }
-
-    fn group(
-        vertices: &[VoronoiVertex],
-        items: impl Iterator<Item = Place> + Clone,
-    ) -> GeomWithData<Rectangle<[f64; 2]>, Self> {
-        let places = items.clone().map(|item| DVec2::from(*item.geom()));
-        let (low, high) = places.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
-            (low.min(p), high.max(p))
-        });
-        // The origin has to be in the group, where some triangle is not fine, so that nesting ends.
-        let frame = Self::new(vertices, items.map(|item| item.data).collect());
-        GeomWithData::new(Rectangle::from_corners(low.into(), high.into()), frame)
     }
 
     /// Visits all vertices in a disc, and perhaps a few around it, until `visit` breaks.
@@ -96,22 +88,30 @@ impl Frame {
                 visit(&vertices[place.data])?;
             }
             for group in &self.groups {
-                group.data.in_disc(vertices, disc, visit)?;
+                group.in_disc(vertices, disc, visit)?;
             }
             return ControlFlow::Continue(());
         };
         self.places
             .locate_within_distance(centre.into(), radius_squared)
             .try_for_each(|place| visit(&vertices[place.data]))?;
-        if self.groups.size() == 0 {
+        if self.groups.is_empty() {
             return ControlFlow::Continue(());
         }
         let radius = DVec2::splat(radius_squared.sqrt());
         let around = AABB::from_corners((centre - radius).into(), (centre + radius).into());
-        self.groups
+        self.boxes
             .locate_in_envelope_intersecting(around)
-            .try_for_each(|group| group.data.in_disc(vertices, disc, visit))
+            .try_for_each(|group| self.groups[group.data].in_disc(vertices, disc, visit))
     }
+}
+
+/// The rectangle that holds all of some places.
+fn bounds(items: impl Iterator<Item = Place>) -> Rectangle<[f64; 2]> {
+    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let places = items.map(|item| DVec2::from(*item.geom()));
+    let (low, high) = places.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+    Rectangle::from_corners(low.into(), high.into())
 }
 
 /// The cell of a place that is not the origin: its size is relative to the larger coordinate.

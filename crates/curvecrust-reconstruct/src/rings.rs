@@ -5,7 +5,8 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{Chain, DVec2, PointId, PointSet, orient2d};
 use num_bigint::BigInt;
 use num_traits::Signed;
-use rstar::{AABB, RTree, RTreeObject};
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
 
 use crate::exact::{common_exponent, cross, integer};
 
@@ -44,7 +45,9 @@ pub(crate) fn is_clockwise(points: &PointSet, ring: &[PointId]) -> bool {
 pub(crate) struct Surroundings<'a> {
     points: &'a PointSet,
     chains: &'a [Chain],
-    runs: RTree<Run>,
+    runs: Vec<Run>,
+    /// The boxes of the runs, each with its index.
+    boxes: RTree<GeomWithData<Rectangle<[f64; 2]>, usize>>,
     /// The smallest y.
     lowest: f64,
 }
@@ -58,16 +61,18 @@ impl<'a> Surroundings<'a> {
         let rings = chains.iter().enumerate().filter(|(_, c)| c.is_closed());
         let runs = rings.flat_map(|(ring, chain)| {
             let starts = (0..chain.vertices().len()).step_by(RUN);
-            starts.map(move |start| Run {
-                ring,
-                start,
-                bounds: bounds(points, sides(chain, start)),
-            })
+            starts.map(move |start| Run { ring, start })
         });
+        let runs: Vec<Run> = runs.collect();
+        let boxed = |(index, run): (usize, &Run)| {
+            let bounds = bounds(points, sides(&chains[run.ring], run.start));
+            GeomWithData::new(bounds, index)
+        };
         Self {
             points,
             chains,
-            runs: RTree::bulk_load(runs.collect()),
+            boxes: RTree::bulk_load(runs.iter().enumerate().map(boxed).collect()),
+            runs,
             lowest: points.points().iter().map(|p| p.y).fold(0.0, f64::min),
         }
     }
@@ -98,7 +103,8 @@ impl<'a> Surroundings<'a> {
         let vertices = chain.vertices().iter().map(|&v| self.points[v]);
         let place = vertices.min_by(|&a, &b| by_coordinates(a, b))?;
         let below = AABB::from_corners([place.x, self.lowest], place.into());
-        let runs = self.runs.locate_in_envelope_intersecting(below);
+        let boxes = self.boxes.locate_in_envelope_intersecting(below);
+        let runs = boxes.map(|of_run| &self.runs[of_run.data]);
         let mut crossed: Vec<usize> = Vec::new();
         for run in runs.filter(|run| run.ring != ring) {
             let sides = sides(&self.chains[run.ring], run.start);
@@ -124,15 +130,6 @@ struct Run {
     ring: usize,
     /// The position of the first vertex in the ring.
     start: usize,
-    bounds: AABB<[f64; 2]>,
-}
-
-impl RTreeObject for Run {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        self.bounds
-    }
 }
 
 /// The sides of the run that starts at a position of a ring.
@@ -143,11 +140,11 @@ fn sides(ring: &Chain, start: usize) -> impl Iterator<Item = [PointId; 2]> + '_ 
     run.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
-fn bounds(points: &PointSet, sides: impl Iterator<Item = [PointId; 2]>) -> AABB<[f64; 2]> {
+fn bounds(points: &PointSet, sides: impl Iterator<Item = [PointId; 2]>) -> Rectangle<[f64; 2]> {
     let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     let ends = sides.flatten().map(|v| points[v]);
     let (low, high) = ends.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
-    AABB::from_corners(low.into(), high.into())
+    Rectangle::from_corners(low.into(), high.into())
 }
 
 /// Whether a side passes below a point; of its ends only the right one belongs to it, so that a

@@ -18,8 +18,6 @@ use rstar::{AABB, RTree};
 use super::cost::Cost;
 use super::order::Order;
 
-type Box = GeomWithData<Rectangle<[f64; 2]>, [u32; 2]>;
-
 /// The tour with no edges that meet elsewhere than at a common end.
 pub(super) fn uncrossed(cost: &Cost<'_>, tour: Vec<u32>) -> Vec<u32> {
     let mut uncross = Uncross {
@@ -59,24 +57,24 @@ impl Uncross<'_> {
             .tour
             .edges()
             .filter(|edge| !edge.iter().any(|&v| self.cost.is_gap(v)));
-        let boxes: Vec<Box> = edges
-            .map(|edge| {
-                let [a, b] = edge.map(|v| self.at(v).to_array());
-                Box::new(Rectangle::from_corners(a, b), edge)
-            })
-            .collect();
-        let tree = RTree::bulk_load(boxes.clone());
+        let edges: Vec<[u32; 2]> = edges.collect();
+        let corners = |edge: [u32; 2]| edge.map(|v| self.at(v).to_array());
+        let boxed = |(index, &edge): (usize, &[u32; 2])| {
+            let [a, b] = corners(edge);
+            GeomWithData::new(Rectangle::from_corners(a, b), index)
+        };
+        let tree = RTree::bulk_load(edges.iter().enumerate().map(boxed).collect());
         let mut meetings = Vec::new();
-        for edge in boxes {
-            let [a, b] = edge.data.map(|v| self.at(v).to_array());
+        for &edge in &edges {
+            let [a, b] = corners(edge);
             let mut others: Vec<[u32; 2]> = tree
                 .locate_in_envelope_intersecting(AABB::from_corners(a, b))
-                .map(|other| other.data)
-                .filter(|&other| other > edge.data)
+                .map(|other| edges[other.data])
+                .filter(|&other| other > edge)
                 .collect();
             others.sort_unstable();
             for other in others {
-                self.extend(&mut meetings, edge.data, other);
+                self.extend(&mut meetings, edge, other);
             }
         }
         meetings
