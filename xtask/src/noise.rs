@@ -1,7 +1,7 @@
 //! `cargo xtask noise`: curves fitted to points that scatter about known ones.
 
 use clap::builder::PossibleValuesParser;
-use curvecrust_lab::noise::{EXPERIMENTS, run as measure};
+use curvecrust_lab::noise::{Draws, EXPERIMENTS, run as measure};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -14,6 +14,12 @@ pub(crate) struct Args {
     /// Draws of each input
     #[arg(long, value_name = "N", default_value_t = 3)]
     seeds: u64,
+    /// The seed of the first draw: what is developed on some seeds is reported on others
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    first: u64,
+    /// Only rows whose name begins with this
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    rows: String,
     /// A folder for pictures of what went wrong, and of the first draw of the rest
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
@@ -30,8 +36,13 @@ pub(crate) fn run(args: &Args) -> anyhow::Result<ExitCode> {
     } else {
         &args.experiments
     };
+    let draws = Draws {
+        seeds: args.first..args.first + args.seeds,
+        rows: &args.rows,
+        pictures: args.pictures.as_deref(),
+    };
     for experiment in chosen {
-        let table = measure(experiment, args.seeds, args.pictures.as_deref(), |row| {
+        let table = measure(experiment, &draws, |row| {
             eprintln!("{experiment}: {}", row[0]);
         })?;
         println!("\n### {experiment}\n\n{}", table.to_markdown());

@@ -9,6 +9,7 @@ mod draw;
 mod sample;
 mod score;
 
+use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
 
@@ -44,17 +45,26 @@ struct Row {
     cells: Vec<Cell>,
 }
 
-/// Runs an experiment with a number of seeds for each cell; its name is one of [`EXPERIMENTS`].
+/// What is drawn, and what is kept of it.
+#[derive(Clone, Debug)]
+pub struct Draws<'a> {
+    /// The seeds of each cell.
+    pub seeds: Range<u64>,
+    /// Only rows whose name begins with this.
+    pub rows: &'a str,
+    /// A folder for pictures of what went wrong, and of the first seed.
+    pub pictures: Option<&'a Path>,
+}
+
+/// Runs an experiment; its name is one of [`EXPERIMENTS`].
 ///
-/// `tell` is given each row of the table as it is ready. Pictures of what went wrong, and of the
-/// first seed, go to a folder, if one is given.
+/// `tell` is given each row of the table as it is ready.
 ///
 /// # Errors
 /// An unknown name, or a picture that cannot be written.
 pub fn run(
     experiment: &str,
-    seeds: u64,
-    pictures: Option<&Path>,
+    draws: &Draws<'_>,
     mut tell: impl FnMut(&[Field]),
 ) -> anyhow::Result<Table> {
     let mut table = Table {
@@ -68,12 +78,17 @@ pub fn run(
     match experiment {
         "circles" => EXTENTS
             .iter()
-            .for_each(|&extent| add(circles(extent, seeds))),
-        "corners" => corners::rows(seeds, add)?,
-        "nothing" => SIZES.iter().for_each(|&n| add(nothing(n, seeds))),
+            .filter(|extent| extent.to_string().starts_with(draws.rows))
+            .for_each(|&extent| add(circles(extent, &draws.seeds))),
+        "corners" => corners::rows(draws, add)?,
+        "nothing" => SIZES
+            .iter()
+            .filter(|n| n.to_string().starts_with(draws.rows))
+            .for_each(|&n| add(nothing(n, &draws.seeds))),
         _ => {
-            for row in rows(experiment).context("there is no such experiment")? {
-                if let Some(fields) = measured(&row, seeds, pictures)? {
+            let rows = rows(experiment).context("there is no such experiment")?;
+            for row in rows.iter().filter(|row| row.what.starts_with(draws.rows)) {
+                if let Some(fields) = measured(row, draws)? {
                     add(fields);
                 }
             }
@@ -205,7 +220,7 @@ fn is_fair(cell: &Cell, truth: &[Truth]) -> bool {
 }
 
 /// The scores of all seeds of a cell, each with the deviation.
-fn scores(cell: &Cell, seeds: u64, pictures: Option<&Path>) -> anyhow::Result<Vec<(Score, f64)>> {
+fn scores(cell: &Cell, draws: &Draws<'_>) -> anyhow::Result<Vec<(Score, f64)>> {
     let truth = curves(cell.name, cell.held)?;
     if !THINGS.contains(&cell.name) && !is_fair(cell, &truth) {
         return Ok(Vec::new());
@@ -214,7 +229,9 @@ fn scores(cell: &Cell, seeds: u64, pictures: Option<&Path>) -> anyhow::Result<Ve
         let sample = sample(cell, &truth, seed);
         let fitted = fit(&sample)?;
         let score = score(&truth, &sample, &fitted);
-        if let Some(folder) = pictures.filter(|_| !score.right || seed == 1) {
+        if let Some(folder) = draws.pictures
+            && (!score.right || seed == draws.seeds.start)
+        {
             let mark = if score.right { "" } else { "wrong-" };
             let Cell {
                 name,
@@ -228,15 +245,15 @@ fn scores(cell: &Cell, seeds: u64, pictures: Option<&Path>) -> anyhow::Result<Ve
         }
         Ok((score, sample.sigma))
     };
-    (1..=seeds).into_par_iter().map(one).collect()
+    draws.seeds.clone().into_par_iter().map(one).collect()
 }
 
 /// One row for many cells: what is right, and how far off the right ones are, in deviations.
-fn measured(row: &Row, seeds: u64, pictures: Option<&Path>) -> anyhow::Result<Option<Vec<Field>>> {
+fn measured(row: &Row, draws: &Draws<'_>) -> anyhow::Result<Option<Vec<Field>>> {
     let start = Instant::now();
     let (mut all, mut wrong) = (Vec::new(), Vec::new());
     for cell in &row.cells {
-        let found = scores(cell, seeds, pictures)?;
+        let found = scores(cell, draws)?;
         let fails = found.iter().filter(|(score, _)| !score.right).count();
         if fails > 0 {
             wrong.push(format!("{} {fails}", cell.name));
@@ -284,7 +301,7 @@ const EXTENTS: [f64; 5] = [0.1, 0.25, 0.5, 0.75, 1.0];
 /// Circles of 100 even points whose noise is radial and grows along them.
 ///
 /// Source: S. Ohrhallinger, M. Wimmer, *FitConnect*, 2018.
-fn circles(extent: f64, seeds: u64) -> Vec<Field> {
+fn circles(extent: f64, seeds: &Range<u64>) -> Vec<Field> {
     let one = |seed: u64| {
         let mut random = Random::new(seed);
         let points = (0..100).map(|i| {
@@ -300,8 +317,8 @@ fn circles(extent: f64, seeds: u64) -> Vec<Field> {
         let squares = line.iter().map(|p| (p.length() - 1.0).powi(2));
         curve.closed.then(|| mean(squares).sqrt())
     };
-    let found: Vec<Option<f64>> = (1..=seeds).into_par_iter().map(one).collect();
-    let rings = found.iter().flatten().count() as f64 / seeds as f64;
+    let found: Vec<Option<f64>> = seeds.clone().into_par_iter().map(one).collect();
+    let rings = found.iter().flatten().count() as f64 / found.len() as f64;
     let rms = mean(found.into_iter().flatten());
     vec![extent.into(), Field::Share(rings), Field::rounded(rms, 3)]
 }
@@ -309,7 +326,7 @@ fn circles(extent: f64, seeds: u64) -> Vec<Field> {
 const SIZES: [u32; 5] = [30, 100, 300, 1000, 3000];
 
 /// Points that form no curve.
-fn nothing(n: u32, seeds: u64) -> Vec<Field> {
+fn nothing(n: u32, seeds: &Range<u64>) -> Vec<Field> {
     let is_empty = |points: Vec<DVec2>| {
         PointSet::new(points).is_ok_and(|points| denoise(&points).curves.is_empty())
     };
@@ -323,9 +340,9 @@ fn nothing(n: u32, seeds: u64) -> Vec<Field> {
         });
         (square, is_empty(disc.collect()))
     };
-    let found: Vec<(bool, bool)> = (1..=seeds).into_par_iter().map(one).collect();
+    let found: Vec<(bool, bool)> = seeds.clone().into_par_iter().map(one).collect();
     let share = |of: fn(&(bool, bool)) -> bool| {
-        Field::Share(found.iter().filter(|pair| of(pair)).count() as f64 / seeds as f64)
+        Field::Share(found.iter().filter(|pair| of(pair)).count() as f64 / found.len() as f64)
     };
     vec![
         Field::Count(n.into()),
