@@ -33,7 +33,7 @@ impl Alpha {
     /// Of the near points, where a tour of some length is known.
     pub(super) fn new(points: &PointSet, near: &Near, length: f64) -> Self {
         let links = near.links(points.points());
-        let mut ascent = Ascent::new(vec![0.0; points.len()]);
+        let mut ascent = Ascent::new(vec![0.0; points.len()], &links);
         for round in 0..ROUNDS {
             let share = libm::pow(LAST_STEP, f64::from(round) / f64::from(ROUNDS));
             if ascent.step(&links, length, share).is_tour() {
