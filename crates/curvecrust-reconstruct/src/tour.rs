@@ -46,7 +46,7 @@ const ROUNDING: f64 = 1e-12;
 const LEAST_PART: f64 = 1e-6;
 
 /// Perturbations for each vertex. Detours leave fewer tours that are nearly as good.
-const PERTURBATIONS: usize = 30;
+const PERTURBATIONS: usize = 8;
 const PERTURBATIONS_WITH_DETOURS: usize = 5;
 
 /// What a tour is to have little of.

@@ -12,7 +12,7 @@ use super::near::Near;
 use crate::held_karp::Ascent;
 
 /// So many times the prices are changed.
-const ROUNDS: u16 = 60;
+const ROUNDS: u16 = 40;
 
 /// The steps fall from 1 to this share.
 const LAST_STEP: f64 = 0.002;

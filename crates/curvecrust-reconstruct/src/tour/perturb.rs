@@ -9,11 +9,11 @@
 use curvecrust_geometry::Random;
 
 use super::cost::Change;
-use super::order::{Order, Segment};
+use super::order::{Mark, Order, Segment};
 use super::search::Search;
 
 /// Perturbations of any tour.
-const MOST_PERTURBATIONS: usize = 40_000;
+const MOST_PERTURBATIONS: usize = 14_000;
 
 /// A walk has at most so many steps.
 const LONGEST_WALK: usize = 100;
@@ -52,7 +52,7 @@ impl Search<'_> {
                 best = best.or_else(|| Some(self.tour.kept()));
                 above = above + change;
             } else {
-                self.tour.undo();
+                self.tour.undo(Mark::default());
             }
             self.tour.keep();
         }
