@@ -21,6 +21,7 @@
 //! fixed seed.
 
 mod alpha;
+mod around;
 mod cost;
 mod exchange;
 mod greedy;
@@ -93,7 +94,8 @@ pub(crate) fn short_tour(points: &PointSet, task: &Task) -> Vec<Vec<u32>> {
     search.improve_all();
     let mut is_shortest = false;
     if task.goal == Goal::Length && task.gaps == 0 {
-        let alpha = Alpha::new(points, &search.near, search.length());
+        let near = search.near.and_around(points);
+        let alpha = Alpha::new(points, &near, search.length());
         search.near = alpha.near;
         search.improve_all();
         let length = search.length();
