@@ -29,8 +29,7 @@ pub(super) fn in_quadrants(points: &[DVec2]) -> Vec<Vec<u32>> {
     found
 }
 
-/// For each point the one of least x + y of those whose x is greater, or as great and after it in
-/// the order of y, and whose y is not less.
+/// For each point the one of least x + y of the others whose x and y are not less.
 ///
 /// Points are taken from right to left. Those so far are in a tree of partial minima over their
 /// order by y: P. M. Fenwick, "A New Data Structure for Cumulative Frequency Tables", Software:
@@ -74,5 +73,28 @@ fn nearer(a: (f64, u32), b: (f64, u32)) -> (f64, u32) {
         b
     } else {
         a
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use curvecrust_geometry::Random;
+
+    use super::*;
+
+    /// On a grid, with many ties.
+    #[test]
+    fn the_nearest_of_a_quadrant_is_that_of_all() {
+        let mut random = Random::new(1);
+        let cells = (0..81_u32).map(|i| DVec2::new(f64::from(i % 9), f64::from(i / 9)));
+        let points: Vec<DVec2> = cells.filter(|_| random.below(3) > 0).collect();
+        for (&p, found) in points.iter().zip(in_first(&points)) {
+            let is_in = |q: DVec2| q.x >= p.x && q.y >= p.y && q != p;
+            let all = points.iter().filter(|&&q| is_in(q));
+            let least = all.map(|q| q.x + q.y).reduce(f64::min);
+            let found = found.map(|v| points[v as usize]);
+            assert!(found.is_none_or(is_in), "{p}");
+            assert_eq!(found.map(|q| q.x + q.y), least, "{p}");
+        }
     }
 }
