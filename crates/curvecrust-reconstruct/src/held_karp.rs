@@ -16,6 +16,7 @@
 //!    does not end, an edge at a point with more than two is first forbidden, then required.
 
 mod ascent;
+mod moats;
 mod one_tree;
 
 use curvecrust_geometry::{EdgeSet, Interrupt, PointSet};
@@ -106,7 +107,7 @@ impl Proof<'_> {
 
     /// Steps 1 and 2.
     fn root(&self, mut links: Vec<Link>) -> Root {
-        let mut ascent = Ascent::new(vec![0.0; self.points.len()]);
+        let mut ascent = Ascent::new(vec![0.0; self.points.len()], &links);
         for _ in 0..TRIES {
             // The verdict is about near points alone; that about all pairs is taken below.
             let _ = self.rise(&mut ascent, &links, ROUNDS, FIRST_STEP);
@@ -123,6 +124,8 @@ impl Proof<'_> {
                 return verdict.map_or_else(|| Root::Open(branch()), Root::Done);
             }
             links.extend(missed);
+            // The greatest bound so far was one without these edges.
+            ascent.best(&links);
         }
         Root::Done(false)
     }
@@ -159,7 +162,7 @@ impl Proof<'_> {
         let mut open = vec![root];
         let mut rounds = 0;
         while let Some(branch) = open.pop() {
-            let mut ascent = Ascent::new(branch.prices);
+            let mut ascent = Ascent::new(branch.prices, &branch.links);
             let mut links = branch.links;
             let verdict = loop {
                 rounds += usize::from(BRANCH_ROUNDS);

@@ -8,7 +8,7 @@
 //! curves are one with several gaps.
 //!
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
-//! 2. **Improve.** Lin-Kernighan: up to four edges are exchanged for others, as long as that lowers
+//! 2. **Improve.** Lin-Kernighan: chains of exchanges of up to four edges, as long as that lowers
 //!    the cost ([`search`]), first among near points. For a closed tour of least length, a
 //!    Held-Karp bound then tells which edges the shortest tour may have ([`alpha`]); if it is the
 //!    length of the tour found, step 3 is left out.
@@ -21,6 +21,7 @@
 //! fixed seed.
 
 mod alpha;
+mod around;
 mod cost;
 mod exchange;
 mod greedy;
@@ -46,7 +47,7 @@ const ROUNDING: f64 = 1e-12;
 const LEAST_PART: f64 = 1e-6;
 
 /// Perturbations for each vertex. Detours leave fewer tours that are nearly as good.
-const PERTURBATIONS: usize = 30;
+const PERTURBATIONS: usize = 12;
 const PERTURBATIONS_WITH_DETOURS: usize = 5;
 
 /// What a tour is to have little of.
@@ -93,7 +94,8 @@ pub(crate) fn short_tour(points: &PointSet, task: &Task) -> Vec<Vec<u32>> {
     search.improve_all();
     let mut is_shortest = false;
     if task.goal == Goal::Length && task.gaps == 0 {
-        let alpha = Alpha::new(points, &search.near, search.length());
+        let near = search.near.and_around(points);
+        let alpha = Alpha::new(points, &near, search.length());
         search.near = alpha.near;
         search.improve_all();
         let length = search.length();

@@ -66,12 +66,21 @@ fn single_closed_curves_are_returned_below_an_epsilon_of_a_half() {
         &single,
         &[("connect2d", connect2d), ("shortest-tour", shortest_tour)],
     );
-    // Of the nautilus no proof is found, although it is the shortest for all that is known.
-    single.retain(|(curve, _)| curve != "nautilus");
-    for (curve, sampled) in single {
-        let points = sampled.point_set().unwrap();
-        let tour = shortest_tour(&points);
-        assert!(is_shortest_tour(&points, &tour), "{curve}");
+}
+
+/// Each closed curve of the fixtures by itself.
+#[test]
+fn tours_of_dense_samples_are_proven_the_shortest() {
+    for epsilon in [0.3, 0.4, 0.5] {
+        for (curve, sampled) in samplings(Condition::epsilon(epsilon).unwrap()) {
+            for part in sampled.components() {
+                let part = sampled.points()[part.range.clone()].to_vec();
+                let points = PointSet::new(part).unwrap();
+                let tour = shortest_tour(&points);
+                assert_eq!(tour, consecutive_edges(points.len(), true), "{curve}");
+                assert!(is_shortest_tour(&points, &tour), "{curve}, {epsilon}");
+            }
+        }
     }
 }
 

@@ -11,8 +11,11 @@ use curvecrust_geometry::PointSet;
 use super::near::Near;
 use crate::held_karp::Ascent;
 
-/// So many times the prices are changed.
-const ROUNDS: u16 = 60;
+/// So many times the prices are changed: the most, and the least, which are done for many points;
+/// between them rounds times points are [`WORK`].
+const MOST_ROUNDS: usize = 100;
+const LEAST_ROUNDS: usize = 40;
+const WORK: usize = 4_000_000;
 
 /// The steps fall from 1 to this share.
 const LAST_STEP: f64 = 0.002;
@@ -33,9 +36,10 @@ impl Alpha {
     /// Of the near points, where a tour of some length is known.
     pub(super) fn new(points: &PointSet, near: &Near, length: f64) -> Self {
         let links = near.links(points.points());
-        let mut ascent = Ascent::new(vec![0.0; points.len()]);
-        for round in 0..ROUNDS {
-            let share = libm::pow(LAST_STEP, f64::from(round) / f64::from(ROUNDS));
+        let mut ascent = Ascent::new(vec![0.0; points.len()], &links);
+        let rounds = (WORK / points.len().max(1)).clamp(LEAST_ROUNDS, MOST_ROUNDS);
+        for round in 0..rounds {
+            let share = libm::pow(LAST_STEP, round as f64 / rounds as f64);
             if ascent.step(&links, length, share).is_tour() {
                 break;
             }

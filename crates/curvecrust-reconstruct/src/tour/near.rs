@@ -5,6 +5,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, PointSet};
 use curvecrust_voronoi::Delaunay;
 
+use super::around::in_quadrants;
 use crate::adjacency::Adjacency;
 use crate::held_karp::Link;
 
@@ -73,6 +74,19 @@ impl Near {
             first.map(move |w| Link::new(points, [v, w]))
         };
         (0u32..).take(points.len()).flat_map(from).collect()
+    }
+
+    /// The same, and points on all sides, which may be far.
+    pub(super) fn and_around(&self, points: &PointSet) -> Self {
+        let mut lists = in_quadrants(points.points());
+        for (v, list) in (0u32..).zip(&mut lists) {
+            let near = self.of(v);
+            list.retain(|w| !near.contains(w));
+            list.sort_unstable();
+            list.dedup();
+            list.splice(..0, near.iter().copied());
+        }
+        Self::of_own(&lists)
     }
 
     /// Of a list for each point.

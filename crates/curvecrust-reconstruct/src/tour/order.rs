@@ -20,6 +20,10 @@ impl Segment {
     }
 }
 
+/// A state of a tour: the changes since the last one that was kept.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Mark(usize);
+
 /// A closed tour through the vertices `0..n`, and a log of what was changed.
 pub(super) struct Order {
     at: Vec<u32>,
@@ -98,12 +102,23 @@ impl Order {
         self.log.clear();
     }
 
-    /// Goes back to the last state that was kept.
-    pub(super) fn undo(&mut self) {
-        while let Some((place, v)) = self.log.pop() {
+    /// A state to go back to, until one is kept.
+    pub(super) fn mark(&self) -> Mark {
+        Mark(self.log.len())
+    }
+
+    /// Goes back to a state.
+    pub(super) fn undo(&mut self, to: Mark) {
+        for (place, v) in self.log.drain(to.0.min(self.log.len())..).rev() {
             self.at[place as usize] = v;
             self.place[v as usize] = place;
         }
+    }
+
+    /// How many vertices [`join`](Self::join) moves at most.
+    pub(super) fn moved(&self, segments: &[Segment]) -> usize {
+        let longest = segments.iter().map(|&s| self.length(s)).max();
+        self.at.len() - longest.unwrap_or_default()
     }
 
     /// The vertices in their order in the last state that was kept.

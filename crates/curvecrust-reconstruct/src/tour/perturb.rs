@@ -9,11 +9,11 @@
 use curvecrust_geometry::Random;
 
 use super::cost::Change;
-use super::order::{Order, Segment};
+use super::order::{Mark, Order, Segment};
 use super::search::Search;
 
 /// Perturbations of any tour.
-const MOST_PERTURBATIONS: usize = 40_000;
+const MOST_PERTURBATIONS: usize = 14_000;
 
 /// A walk has at most so many steps.
 const LONGEST_WALK: usize = 100;
@@ -22,8 +22,9 @@ const LONGEST_WALK: usize = 100;
 const MOST_MOVED: usize = 2_000;
 const LONGEST_PATH: usize = 50;
 
-/// A tour that is longer by up to this share of the mean edge may replace the present one. The
-/// share falls to 0.
+/// A tour that is longer by up to this share of the second shortest edge that the perturbation took
+/// away may replace the present one: edges in clusters are much shorter than those between them.
+/// The share falls to 0.
 const ACCEPTED: f64 = 0.3;
 
 impl Search<'_> {
@@ -39,20 +40,20 @@ impl Search<'_> {
         self.tour.keep();
         let mut random = Random::new(1);
         let rounds = (times * count).min(MOST_PERTURBATIONS);
-        let accepted = ACCEPTED * self.mean_edge();
         let mut above = Change::default();
         let mut best = None;
         for round in 0..rounds {
-            let limit = accepted * (1.0 - round as f64 / rounds as f64);
-            let change = self.perturb(&mut random) + self.improve();
-            let risk = limit * random.unit();
+            let share = ACCEPTED * (1.0 - round as f64 / rounds as f64);
+            let (perturbed, edge) = self.perturb(&mut random);
+            let change = perturbed + self.improve();
+            let risk = share * edge * random.unit();
             if (above + change).is_gain() {
                 (above, best) = (Change::default(), None);
             } else if change.is_gain() || change.cost < risk {
                 best = best.or_else(|| Some(self.tour.kept()));
                 above = above + change;
             } else {
-                self.tour.undo();
+                self.tour.undo(Mark::default());
             }
             self.tour.keep();
         }
@@ -61,26 +62,16 @@ impl Search<'_> {
         }
     }
 
-    /// The mean length of the edges.
-    fn mean_edge(&self) -> f64 {
-        let points = self.cost.points();
-        let places = |edge: [u32; 2]| edge.map(|v| points.get(v as usize));
-        let lengths = self.tour.edges().filter_map(|edge| match places(edge) {
-            [Some(p), Some(q)] => Some(p.distance(*q)),
-            _ => None,
-        });
-        lengths.sum::<f64>() / self.tour.len() as f64
-    }
-
-    /// A double bridge: from a, b..c, d..e, f..g, h to a, f..g, d..e, b..c, h.
-    fn perturb(&mut self, random: &mut Random) -> Change {
+    /// A double bridge: from a, b..c, d..e, f..g, h to a, f..g, d..e, b..c, h. What it changes, and
+    /// the second shortest of the edges that it takes away.
+    fn perturb(&mut self, random: &mut Random) -> (Change, f64) {
         let [a, c, e, g] = self.four(random);
         let [b, d, f, h] = [a, c, e, g].map(|v| self.tour.next(v));
         let vertices = [a, b, c, d, e, f, g, h];
         let mut change = Change::default();
-        for [v, w] in [[a, b], [c, d], [e, f], [g, h]] {
-            change.remove(self.cost.edge(v, w));
-        }
+        let mut removed = [[a, b], [c, d], [e, f], [g, h]].map(|[v, w]| self.cost.edge(v, w));
+        removed.iter().for_each(|&edge| change.remove(edge));
+        removed.sort_unstable_by(f64::total_cmp);
         for [v, w] in [[a, f], [g, d], [e, b], [c, h]] {
             change.add(self.cost.edge(v, w));
         }
@@ -95,7 +86,7 @@ impl Search<'_> {
         for v in vertices {
             self.enqueue(v);
         }
-        change
+        (change, removed[1])
     }
 
     fn vertices_cost(&self, vertices: &[u32]) -> f64 {

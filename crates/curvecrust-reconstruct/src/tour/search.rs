@@ -4,7 +4,9 @@
 //! Operations Research 21(2), 1973, in the form of K. Helsgaun, "An effective implementation of the
 //! Lin-Kernighan traveling salesman heuristic", European Journal of Operational Research 126, 2000:
 //! up to four edges are replaced at once, and what is between the first and the last of them need
-//! be no tour. Around vertices where nothing was found, nothing is sought until a neighbour changes
+//! be no tour. If none of these exchanges pays, the one that is best before it is closed is made all
+//! the same, and goes on from its last end: a chain of exchanges, taken back unless it pays in the
+//! end. Around vertices where nothing was found, nothing is sought until a neighbour changes
 //! (don't-look bits: J. L. Bentley, "Fast Algorithms for Geometric Traveling Salesman Problems",
 //! ORSA Journal on Computing 4(4), 1992).
 
@@ -15,10 +17,16 @@ use curvecrust_geometry::Interrupt;
 use super::cost::{Change, Cost};
 use super::exchange::{Exchange, MOST};
 use super::near::Near;
-use super::order::Order;
+use super::order::{Order, Segment};
 
 /// How many ways to take away a second edge are tried, a third one, and a fourth one.
 const BREADTH: [usize; MOST - 1] = [5, 5, 3];
+
+/// A chain has at most so many exchanges.
+const LONGEST_CHAIN: usize = 8;
+
+/// An exchange that does not pay by itself moves at most so many vertices.
+const MOST_MOVED: usize = 1_000;
 
 /// Of so many gaps each point is tried at the end beside one.
 const MOST_GAPS: usize = 8;
@@ -51,6 +59,26 @@ impl Ways {
 
     fn as_slice(&self) -> &[Way] {
         &self.ways[..self.count]
+    }
+}
+
+/// Exchanges that were made one after another, and do not pay so far.
+#[derive(Default)]
+struct Chain {
+    /// What they change, with the edge that closes the tour.
+    change: Change,
+    /// Their ends, as an [`Exchange`] has them.
+    ends: Vec<u32>,
+    /// The best exchange to go on with, and what it gains before it is closed.
+    open: Option<(f64, Exchange)>,
+}
+
+impl Chain {
+    /// Whether an edge is among those put in, but for those that closed an exchange.
+    fn adds(&self, v: u32, w: u32) -> bool {
+        let exchanges = self.ends.chunks_exact(2 * MOST);
+        let mut added = exchanges.flat_map(|ends| ends[1..2 * MOST - 1].chunks_exact(2));
+        added.any(|edge| edge == [v, w] || edge == [w, v])
     }
 }
 
@@ -127,42 +155,86 @@ impl<'a> Search<'a> {
 
     fn improved_at(&mut self, t1: u32) -> Option<Change> {
         let partners = [self.tour.next(t1), self.tour.previous(t1)];
-        let found = partners.into_iter().find_map(|t2| {
-            let exchange = Exchange::new(&self.tour, t1, t2);
-            let gain = self.cost.edge(t1, t2) + self.vertex(t1) + self.vertex(t2);
-            self.deepened(&exchange, gain)
-        });
-        let (exchange, change) = found?;
-        self.apply(&exchange);
-        Some(change)
+        partners.into_iter().find_map(|t2| self.chained(t1, t2))
     }
 
-    /// An exchange that begins with another and gains, if there is one.
+    /// Exchanges the edge t1 t2 and others, if that pays.
+    fn chained(&mut self, t1: u32, mut t2: u32) -> Option<Change> {
+        let before = self.tour.mark();
+        let mut chain = Chain::default();
+        for _ in 0..LONGEST_CHAIN {
+            let opened = self.cost.edge(t1, t2) + self.vertex(t1) + self.vertex(t2);
+            let exchange = Exchange::new(&self.tour, t1, t2);
+            let found = self.deepened(&exchange, opened - chain.change.cost, &mut chain);
+            if let Some((exchange, change)) = found {
+                self.apply(&exchange, &mut chain);
+                chain.ends.iter().for_each(|&v| self.enqueue(v));
+                if self.keeps {
+                    self.tour.keep();
+                }
+                return Some(chain.change + change);
+            }
+            let Some((_, open)) = chain.open.take() else {
+                break;
+            };
+            chain.change = chain.change + open.change(&self.tour, self.cost);
+            self.apply(&open, &mut chain);
+            t2 = open.last();
+        }
+        self.tour.undo(before);
+        None
+    }
+
+    /// An exchange that begins with another and lets the chain pay, if there is one; else the chain
+    /// has the one to go on with.
     ///
     /// `gain` is what is gained before the last end is joined to another vertex.
-    fn deepened(&self, exchange: &Exchange, gain: f64) -> Option<(Exchange, Change)> {
-        let ways = self.ways(exchange, gain);
+    fn deepened(
+        &self,
+        exchange: &Exchange,
+        gain: f64,
+        chain: &mut Chain,
+    ) -> Option<(Exchange, Change)> {
+        let ways = self.ways(exchange, gain, chain);
         let and = |way: &Way| exchange.and(&self.tour, way.t3, way.t4);
         let closed = ways.as_slice().iter().find_map(|way| {
             let pays = self.cost.edge(way.t4, exchange.first()) < way.gain;
-            pays.then(|| self.gaining(and(way))).flatten()
+            pays.then(|| self.gaining(and(way), chain)).flatten()
         });
-        if closed.is_some() || exchange.len() == BREADTH.len() {
+        if closed.is_some() {
             return closed;
         }
+        if exchange.len() == BREADTH.len() {
+            for way in ways.as_slice() {
+                if chain.open.is_none_or(|(most, _)| way.gain > most) {
+                    let next = Some(and(way)).filter(|next| self.is_open(next));
+                    chain.open = next.map(|next| (way.gain, next)).or(chain.open);
+                }
+            }
+            return None;
+        }
         let mut each = ways.as_slice().iter();
-        each.find_map(|way| self.deepened(&and(way), way.gain))
+        each.find_map(|way| self.deepened(&and(way), way.gain, chain))
     }
 
-    /// The exchange, if it leaves a tour that costs less.
-    fn gaining(&self, exchange: Exchange) -> Option<(Exchange, Change)> {
+    /// Whether a chain may go on from an exchange.
+    fn is_open(&self, exchange: &Exchange) -> bool {
+        let leaves_tour = |(segments, count): ([Segment; MOST], usize)| {
+            self.tour.moved(&segments[..count]) <= MOST_MOVED
+        };
+        exchange.first() != exchange.last() && exchange.segments().is_some_and(leaves_tour)
+    }
+
+    /// The exchange, if it leaves a tour that costs less than before the chain.
+    fn gaining(&self, exchange: Exchange, chain: &Chain) -> Option<(Exchange, Change)> {
         exchange.segments()?;
         let change = exchange.change(&self.tour, self.cost);
-        change.is_gain().then_some((exchange, change))
+        let is_gain = (chain.change + change).is_gain();
+        is_gain.then_some((exchange, change))
     }
 
     /// The ways to go on that gain most so far.
-    fn ways(&self, exchange: &Exchange, gain: f64) -> Ways {
+    fn ways(&self, exchange: &Exchange, gain: f64, chain: &Chain) -> Ways {
         let mut ways = Ways {
             ways: Default::default(),
             count: 0,
@@ -175,7 +247,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             for t4 in [self.tour.next(t3), self.tour.previous(t3)] {
-                if !exchange.removes(t3, t4) {
+                if !exchange.removes(t3, t4) && !chain.adds(t3, t4) {
                     let removed = self.cost.edge(t3, t4) + self.gain_at_vertices(exchange, t3, t4);
                     let gain = left + removed;
                     ways.push(Way { gain, t3, t4 });
@@ -222,15 +294,10 @@ impl<'a> Search<'a> {
             .vertex(v, self.tour.previous(v), self.tour.next(v))
     }
 
-    fn apply(&mut self, exchange: &Exchange) {
+    fn apply(&mut self, exchange: &Exchange, chain: &mut Chain) {
         if let Some((mut segments, count)) = exchange.segments() {
             self.tour.join(&mut segments[..count]);
         }
-        if self.keeps {
-            self.tour.keep();
-        }
-        for &v in exchange.ends() {
-            self.enqueue(v);
-        }
+        chain.ends.extend(exchange.ends());
     }
 }
