@@ -20,7 +20,7 @@ mod _curvecrust {
     #[pymodule_export]
     use crate::sample::sample;
     #[pymodule_export]
-    use crate::tiles::{tiles_ask, tiles_cut, tiles_join, tiles_of, tiles_solve};
+    use crate::tiles::{tiles_ask, tiles_cut, tiles_join, tiles_scatter, tiles_solve};
 
     use pyo3::prelude::*;
 

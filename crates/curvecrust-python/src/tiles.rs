@@ -12,7 +12,9 @@ use curvecrust::tiles::{
     Area, Atlas, Axis, Claim, Cut, Lack, Method, OpenSample, Partition, Query, Sample, Samples,
     TilesError, joined, resolve, solve_tile,
 };
-use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{
+    IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -49,13 +51,16 @@ pub(crate) fn tiles_cut<'py>(
         .map(Arrays::finish)
 }
 
-/// The number of the cell of each point.
+/// Points as samples with ids from `start` on, those of each cell together; the samples of cell i are
+/// those from `first[i]` to `first[i + 1]`.
 #[pyfunction]
-pub(crate) fn tiles_of<'py>(
+pub(crate) fn tiles_scatter<'py>(
     py: Python<'py>,
     axes: PyReadonlyArray1<'py, u8>,
     at: PyReadonlyArray1<'py, f64>,
-    points: PyReadonlyArray2<'py, f64>,
+    x: PyReadonlyArray1<'py, f64>,
+    y: PyReadonlyArray1<'py, f64>,
+    start: u64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let both = axes.as_array().into_iter().zip(at.as_array());
     let cuts = both.map(|(&axis, &at)| match axis {
@@ -64,12 +69,36 @@ pub(crate) fn tiles_of<'py>(
         _ => None,
     });
     let partition = Partition::from_cuts(&cuts.collect::<Vec<_>>());
-    let points = arrays::points(&points)?;
-    let found = Run::plain(py).work(move |_| {
-        let cells = points.iter().map(|&p| partition.cell_of(p) as u64);
-        Ok(cells.collect::<Vec<u64>>())
-    })?;
-    Arrays::new(py).with("cells", found).map(Arrays::finish)
+    let (x, y) = (x.as_array(), y.as_array());
+    let points: Vec<DVec2> = (x.iter().zip(y)).map(|(&x, &y)| DVec2::new(x, y)).collect();
+    let (samples, first) =
+        Run::plain(py).work(move |_| Ok(by_cells(&partition, &points, start)))?;
+    let count = samples.len() / SAMPLE;
+    let samples = samples.into_pyarray(py).reshape([count, SAMPLE])?;
+    Arrays::new(py)
+        .with_value("samples", samples)?
+        .with("first", first)
+        .map(Arrays::finish)
+}
+
+/// The words of samples, sorted by their cells, and the first sample of each cell.
+fn by_cells(partition: &Partition, points: &[DVec2], start: u64) -> (Vec<u64>, Vec<u64>) {
+    let cells: Vec<usize> = points.iter().map(|&p| partition.cell_of(p)).collect();
+    let mut first = vec![0; partition.cells().len() + 1];
+    for &cell in &cells {
+        first[cell + 1] += 1;
+    }
+    for cell in 1..first.len() {
+        first[cell] += first[cell - 1];
+    }
+    let mut next = first.clone();
+    let mut samples = vec![[0; SAMPLE]; points.len()];
+    for ((id, &point), &cell) in (start..).zip(points).zip(&cells) {
+        samples[next[cell]] = words_of(Sample { id, point });
+        next[cell] += 1;
+    }
+    let first = first.into_iter().map(|at| at as u64).collect();
+    (samples.into_flattened(), first)
 }
 
 /// What one tile decides, and what it leaves open.
@@ -151,7 +180,8 @@ pub(crate) fn tiles_join<'py>(
     let claims: Vec<Claim> = claims.collect();
     let edges = Run::plain(py).work(move |_| {
         edges.extend(joined(claims, keep));
-        edges.sort_unstable();
+        // Those of each tile are in order.
+        edges.sort();
         Ok(edges)
     })?;
     let columns = [0, 1].map(|column| edges.iter().map(|ends| ends[column]).collect());

@@ -25,7 +25,7 @@ __all__ = [
     "tiles_ask",
     "tiles_cut",
     "tiles_join",
-    "tiles_of",
+    "tiles_scatter",
     "tiles_solve",
     "violations",
 ]
@@ -73,8 +73,12 @@ def evaluate(
 def methods() -> list[dict[str, Any]]: ...
 def run(args: list[str], again: list[str]) -> int: ...
 def tiles_cut(points: NDArray[np.float64], cells: int) -> dict[str, Any]: ...
-def tiles_of(
-    axes: NDArray[np.uint8], at: NDArray[np.float64], points: NDArray[np.float64]
+def tiles_scatter(
+    axes: NDArray[np.uint8],
+    at: NDArray[np.float64],
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    start: int,
 ) -> dict[str, Any]: ...
 def tiles_solve(
     samples: NDArray[np.uint64], cell: list[float], method: str, run_length: int

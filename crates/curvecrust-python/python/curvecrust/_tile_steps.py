@@ -1,72 +1,40 @@
-"""The steps of `curvecrust.tiles`: each reads files, works on arrays, and writes files."""
+"""The steps of `curvecrust.tiles`: each reads files, works on arrays, and writes files.
+
+A step whose last file is there does nothing: a run that was stopped has done it.
+"""
 
 from __future__ import annotations
 
-import contextlib
 import functools
+import hashlib
 import io
 import json
 import posixpath
-import uuid
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import fsspec
 import numpy as np
-import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from . import _curvecrust
+from ._tile_job import WORD, Job, bytes_of
+from ._tile_source import File, Piece, place, read
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
 #: Samples that are read at once when another tile is asked.
 RUN = 2048
-#: Bytes of a sample: its id, x and y.
-SAMPLE = 24
+#: Words of a sample (its id, x and y), of an edge or claim, and of an open sample.
+SAMPLE, PAIR, OPEN = 3, 2, 10
 #: How many points for each tile the cuts between tiles are made from.
 SPREAD = 1024
-#: The column that says where a row goes.
-GOES_TO = "goes_to"
-
-#: What the frames hold that an engine moves.
-ROWS = {"id": "i8", "x": "f8", "y": "f8", GOES_TO: "i8"}
-PAIRS = {"a": "i8", "b": "i8", "claim": "?", GOES_TO: "i8"}
-
-#: The columns of x and y, where none are named.
-NAMES = [
-    ("x", "y"),
-    ("X", "Y"),
-    ("lon", "lat"),
-    ("longitude", "latitude"),
-    ("easting", "northing"),
-]
-
-
-@dataclass(frozen=True)
-class File:
-    """A Parquet file of points, and the rows of each of its row groups."""
-
-    path: str
-    rows: tuple[int, ...]
-
-
-@dataclass(frozen=True)
-class Piece:
-    """Row groups in a row of one file, and the id of their first row."""
-
-    file: File
-    groups: range
-    start: int
-
-    @property
-    def rows(self) -> int:
-        """How many rows they have."""
-        return sum(self.file.rows[group] for group in self.groups)
+#: Which files of a run mean the same: to be changed with them.
+FORM = 1
 
 
 @dataclass(frozen=True)
@@ -79,41 +47,6 @@ class Plan:
     cells: NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Job:
-    """What each task gets: its size does not grow with the points."""
-
-    source: str
-    target: str
-    columns: tuple[str, str]
-    method: str
-    options: dict[str, Any]
-    points: int = 0
-    run: str = field(default_factory=lambda: uuid.uuid4().hex)
-
-    def file_system(self) -> tuple[Any, str]:
-        """Find the file system of the target, and the path of the target there."""
-        found: tuple[Any, str] = fsspec.core.url_to_fs(self.target, **self.options)
-        return found
-
-    def work(self, name: str) -> str:
-        """Name a file that is there during the run."""
-        return posixpath.join(self.file_system()[1], f"_work-{self.run}", name)
-
-    def put(self, name: str, data: bytes | memoryview) -> None:
-        """Write a file of the run, completely or not at all."""
-        fs, path = self.file_system()[0], self.work(name)
-        part = f"{path}.{uuid.uuid4().hex}"
-        with fs.open(part, "wb") as out:
-            out.write(data)
-        fs.mv(part, path)
-
-    def get(self, name: str) -> bytes:
-        """Read a file of the run."""
-        data: bytes = self.file_system()[0].cat_file(self.work(name))
-        return data
-
-
 _plans: dict[str, Plan] = {}
 
 
@@ -121,7 +54,7 @@ def put_plan(job: Job, plan: Plan) -> None:
     """Write the plan for all tasks."""
     out = io.BytesIO()
     np.savez(out, axes=plan.axes, at=plan.at, cells=plan.cells)
-    job.put("cuts", out.getvalue())
+    job.put("cuts", out.getbuffer())
     pieces = [
         (piece.file.path, piece.file.rows, piece.groups.start, piece.groups.stop, piece.start)
         for piece in plan.pieces
@@ -142,73 +75,6 @@ def plan_of(job: Job) -> Plan:
     return _plans[job.run]
 
 
-def files(job: Job) -> list[str]:
-    """Find the files of the source, sorted by their paths."""
-    fs, path = fsspec.core.url_to_fs(job.source, **job.options)
-    if fs.isdir(path):
-        path = posixpath.join(path, "**/*.parquet")
-    found: list[str] = sorted(fs.glob(path))
-    if not found:
-        raise FileNotFoundError(f"there is no Parquet file in {job.source}")
-    return found
-
-
-def survey(job: Job, path: str) -> File:
-    """Read how many rows a file has, and whether it has the columns."""
-    fs, _ = fsspec.core.url_to_fs(job.source, **job.options)
-    with fs.open(path, "rb") as file:
-        try:
-            parquet = pq.ParquetFile(file)
-        except pa.ArrowInvalid as error:
-            raise ValueError(f"{path}: {error}") from None
-        for name in job.columns:
-            if name not in parquet.schema_arrow.names:
-                raise ValueError(f"{path} has no column {name!r}")
-            kind = parquet.schema_arrow.field(name).type
-            if not (pa.types.is_floating(kind) or pa.types.is_integer(kind)):
-                raise ValueError(f"{path}: the column {name!r} is of type {kind}, not of numbers")
-        meta = parquet.metadata
-        return File(path, tuple(meta.row_group(i).num_rows for i in range(meta.num_row_groups)))
-
-
-def columns(job: Job, path: str, x: str | None, y: str | None) -> tuple[str, str]:
-    """Find the columns of x and y in the first file."""
-    if x is not None and y is not None:
-        return x, y
-    fs, _ = fsspec.core.url_to_fs(job.source, **job.options)
-    with fs.open(path, "rb") as file:
-        names = pq.read_schema(file).names
-    for pair in NAMES:
-        found = (x or pair[0], y or pair[1])
-        if set(found) <= set(names):
-            return found
-    raise ValueError(f"{path} has no columns x and y, but {', '.join(names)}: name them")
-
-
-def pieces(found: Sequence[File], most: int) -> Iterator[Piece]:
-    """Cut files into pieces of at most this many rows, where their row groups allow it."""
-    start = 0
-    for file in found:
-        first, rows = 0, 0
-        for group, count in enumerate(file.rows):
-            if rows and rows + count > most:
-                yield Piece(file, range(first, group), start - rows)
-                first, rows = group, 0
-            rows += count
-            start += count
-        if rows:
-            yield Piece(file, range(first, len(file.rows)), start - rows)
-
-
-def place(piece: Piece, row: int) -> str:
-    """Name a row of a piece."""
-    for group in piece.groups:
-        if row < piece.file.rows[group]:
-            return f"{piece.file.path}, row group {group}, row {row}"
-        row -= piece.file.rows[group]
-    return piece.file.path
-
-
 def place_of(job: Job, sample: int) -> str:
     """Name the row of a sample."""
     pieces = plan_of(job).pieces
@@ -217,128 +83,139 @@ def place_of(job: Job, sample: int) -> str:
     return place(piece, sample - piece.start)
 
 
-def read(job: Job, piece: Piece) -> NDArray[np.float64]:
-    """Read the points of a piece."""
+def name_of_run(job: Job, paths: Sequence[str], tile_points: int) -> str:
+    """Name a run by all that its files depend on: the same call on the same source goes on."""
     fs, _ = fsspec.core.url_to_fs(job.source, **job.options)
-    with fs.open(piece.file.path, "rb") as file:
-        table = pq.ParquetFile(file).read_row_groups(list(piece.groups), columns=[*job.columns])
-    both = [table.column(name).to_numpy().astype(np.float64) for name in job.columns]
-    points = np.stack(both, axis=1)
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
-    if len(bad):
-        x, y = points[bad[0]]
-        raise ValueError(f"{place(piece, int(bad[0]))} is ({x}, {y}): coordinates must be finite")
-    return points
+    parts = [FORM, job.columns, job.method, tile_points, [(path, fs.ukey(path)) for path in paths]]
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
 
 
 def spread(job: Job, step: int, piece: Piece) -> NDArray[np.float64]:
     """Read every step-th point of all."""
-    return read(job, piece)[-piece.start % step :: step]
+    x, y = read(job, piece)
+    some = slice(-piece.start % step, None, step)
+    return np.stack([x[some], y[some]], axis=1)
 
 
-def rows(job: Job, piece: Piece) -> pd.DataFrame:
-    """Read points with their ids and their tiles."""
-    points = read(job, piece)
+def scatter(job: Job, number: int) -> None:
+    """Write the points of a piece with their ids, those of each tile together."""
+    name = f"rows-{number}"
+    if job.has(name):
+        return
     plan = plan_of(job)
-    found = _curvecrust.tiles_of(plan.axes, plan.at, points)
-    ids = np.arange(piece.start, piece.start + len(points))
-    tiles = found["cells"].astype(np.int64)
-    return pd.DataFrame({"id": ids, "x": points[:, 0], "y": points[:, 1], GOES_TO: tiles})
+    piece = plan.pieces[number]
+    found = _curvecrust.tiles_scatter(plan.axes, plan.at, *read(job, piece), piece.start)
+    job.put_shares(name, found["samples"], found["first"])
 
 
-def solve(job: Job, frame: pd.DataFrame, tile: int) -> int:
+def solve(job: Job, parts: int, tile: int) -> int:
     """Find what one tile decides, and write it; return how many samples it leaves open."""
-    samples = np.empty((len(frame), 3), np.uint64)
-    samples[:, 0] = frame["id"]
-    for column, name in enumerate("xy", start=1):
-        samples[:, column] = np.ascontiguousarray(frame[name]).view(np.uint64)
-    cell = list(plan_of(job).cells[tile])
+    # The one that is written last.
+    if not job.has(f"open-{tile}"):
+        _solve(job, parts, tile)
+    return job.size(f"open-{tile}") // (OPEN * WORD)
+
+
+def _solve(job: Job, parts: int, tile: int) -> None:
+    plan = plan_of(job)
+    tiles, pieces = len(plan.cells), range(len(plan.pieces))
+    shares = [job.share(f"rows-{piece}", tiles, tile, SAMPLE) for piece in pieces]
+    samples = np.concatenate([np.zeros((0, SAMPLE), np.uint64), *shares])
+    del shares
     try:
-        found = _curvecrust.tiles_solve(samples, cell, job.method, RUN)
+        found = _curvecrust.tiles_solve(samples, list(plan.cells[tile]), job.method, RUN)
     except ValueError as error:
-        twins = frame[frame.duplicated(["x", "y"], keep=False)].sort_values(["x", "y", "id"])
-        if twins.empty:
+        twins = _twins(samples)
+        if twins is None:
             raise
-        first, second = (place_of(job, int(sample)) for sample in twins["id"][:2])
+        first, second = (place_of(job, sample) for sample in twins)
         raise ValueError(f"{first} and {second}: {error}") from None
-    for kind in ("samples", "runs", "edges", "claims", "open"):
-        job.put(f"{kind}-{tile}", found[kind].tobytes())
-    return len(found["open"]) // 10
+    job.put(f"samples-{tile}", bytes_of(found["samples"]))
+    job.put(f"runs-{tile}", bytes_of(found["runs"]))
+    for kind in ("edges", "claims"):
+        _put_pairs(job, parts, f"{kind}-{tile}", found[kind])
+    if not found["open"].size:
+        _put_pairs(job, parts, f"answers-{tile}", found["claims"][:0])
+    job.put(f"open-{tile}", bytes_of(found["open"]))
+
+
+def _twins(samples: NDArray[np.uint64]) -> tuple[int, int] | None:
+    """Find two samples at one place: the first ones by coordinates."""
+    x, y = (np.ascontiguousarray(samples[:, word]).view(np.float64) for word in (1, 2))
+    order = np.lexsort((samples[:, 0], y, x))
+    same = (x[order][1:] == x[order][:-1]) & (y[order][1:] == y[order][:-1])
+    if not same.any():
+        return None
+    at = int(same.argmax())
+    return int(samples[order[at], 0]), int(samples[order[at + 1], 0])
+
+
+def _put_pairs(job: Job, parts: int, name: str, pairs: NDArray[np.uint64]) -> None:
+    """Write edges or claims in shares, one for each part of the result, by their smaller ends."""
+    smaller = np.minimum(pairs[:, 0], pairs[:, 1])
+    # Edges come ascending.
+    if (smaller[1:] < smaller[:-1]).any():
+        order = smaller.argsort(kind="stable")
+        pairs, smaller = pairs[order], smaller[order]
+    bounds = np.array([-(-part * job.points // parts) for part in range(parts)], np.uint64)
+    first = np.append(np.searchsorted(smaller, bounds), len(pairs))
+    job.put_shares(name, pairs, first)
 
 
 def gather(job: Job, tiles: int) -> None:
     """Write the areas of the runs of all tiles, and the number of the first run of each tile."""
+    if job.has("atlas"):
+        return
     areas = [np.frombuffer(job.get(f"runs-{tile}")).reshape(-1, 4) for tile in range(tiles)]
     first = np.concatenate([[0], np.cumsum([len(area) for area in areas])]).astype(np.int64)
     out = io.BytesIO()
     np.savez(out, areas=np.concatenate(areas), first=first)
-    job.put("atlas", out.getvalue())
+    job.put("atlas", out.getbuffer())
 
 
-def ask(job: Job, tile: int) -> int:
-    """Answer the open samples of a tile from the samples of all; return how many claims follow."""
+def ask(job: Job, parts: int, tile: int) -> None:
+    """Answer the open samples of a tile from the samples of all; claims follow."""
+    if job.has(f"answers-{tile}"):
+        return
     atlas = np.load(io.BytesIO(job.get("atlas")))
     areas, first = atlas["areas"], atlas["first"]
-    fs = job.file_system()[0]
 
     @functools.lru_cache(maxsize=1024)
     def run(number: int) -> NDArray[np.uint64]:
         other = int(np.searchsorted(first, number, side="right")) - 1
-        start = (number - int(first[other])) * RUN * SAMPLE
-        name = job.work(f"samples-{other}")
-        data = fs.cat_file(name, start=start, end=start + RUN * SAMPLE)
-        return np.frombuffer(data, np.uint64).reshape(-1, 3)
+        size = RUN * SAMPLE * WORD
+        start = (number - int(first[other])) * size
+        data = job.get(f"samples-{other}", start, start + size)
+        return np.frombuffer(data, np.uint64).reshape(-1, SAMPLE)
 
-    samples = np.frombuffer(job.get(f"open-{tile}"), np.uint64).reshape(-1, 10)
+    samples = np.frombuffer(job.get(f"open-{tile}"), np.uint64).reshape(-1, OPEN)
     cell = list(plan_of(job).cells[tile])
     found = _curvecrust.tiles_ask(samples, cell, job.method, areas, run)
-    job.put(f"answers-{tile}", found["claims"].tobytes())
-    return len(found["claims"])
+    _put_pairs(job, parts, f"answers-{tile}", found["claims"])
 
 
-def pairs(job: Job, parts: int, item: tuple[int, bool]) -> pd.DataFrame:
-    """Read the edges and the claims of a tile, each with the part of the result that it is for."""
-    tile, answered = item
-    kinds = [("edges", False), ("claims", True), *([("answers", True)] if answered else [])]
-    both = [np.frombuffer(job.get(f"{kind}-{tile}"), np.int64).reshape(-1, 2) for kind, _ in kinds]
-    lengths = [len(pairs) for pairs in both]
-    ends = np.concatenate(both)
-    claim = np.repeat([is_claim for _, is_claim in kinds], lengths)
-    smaller = np.minimum(ends[:, 0], ends[:, 1])
-    part = smaller * parts // max(1, job.points)
-    return pd.DataFrame({"a": ends[:, 0], "b": ends[:, 1], "claim": claim, GOES_TO: part})
+def part_name(part: int) -> str:
+    """Name a file of the result."""
+    return f"part-{part:05}.parquet"
 
 
-def finish(job: Job, frame: pd.DataFrame, part: int) -> int:
+def finish(job: Job, parts: int, tiles: int, part: int) -> int:
     """Join the claims of a part, and write its edges, ascending; return how many there are."""
-    ends = np.stack([frame[name].to_numpy(np.uint64) for name in "ab"], axis=1)
-    claim = frame["claim"].to_numpy(bool)
-    edges = _curvecrust.tiles_join(ends[~claim], ends[claim], job.method)
+    name = part_name(part)
+    fs, target = job.file_system()
+    for there in (job.work(name), posixpath.join(target, name)):
+        if fs.exists(there):
+            with fs.open(there, "rb") as file:
+                return int(pq.read_metadata(file).num_rows)
+
+    def rows(*kinds: str) -> NDArray[np.uint64]:
+        names = [f"{kind}-{tile}" for kind in kinds for tile in range(tiles)]
+        return np.concatenate([job.share(name, parts, part, PAIR) for name in names])
+
+    edges, claims = rows("edges"), rows("claims", "answers")
+    found = _curvecrust.tiles_join(edges, claims, job.method)
+    del edges
     out = io.BytesIO()
-    pq.write_table(pa.table({"a": edges["a"], "b": edges["b"]}), out, use_dictionary=False)
-    job.put(f"part-{part:05}.parquet", out.getbuffer())
-    return len(edges["a"])
-
-
-def deliver(job: Job, parts: int) -> None:
-    """Move the finished result to its place."""
-    fs, target = job.file_system()
-    for part in range(parts):
-        name = f"part-{part:05}.parquet"
-        fs.mv(job.work(name), posixpath.join(target, name))
-
-
-def begin(job: Job) -> None:
-    """Make the folder of the result; one that holds a result, or anything else, is refused."""
-    fs, target = job.file_system()
-    if fs.exists(target):
-        names = [posixpath.basename(path.rstrip("/")) for path in fs.ls(target, detail=False)]
-        if not all(name.startswith("_work-") for name in names):
-            raise FileExistsError(f"{job.target} is there and not empty")
-    fs.makedirs(job.work(""), exist_ok=True)
-
-
-def clean(job: Job) -> None:
-    """Remove what the run has left; tasks that still go on after an error may leave some."""
-    with contextlib.suppress(OSError):
-        job.file_system()[0].rm(job.work("").rstrip("/"), recursive=True)
+    pq.write_table(pa.table({"a": found["a"], "b": found["b"]}), out, use_dictionary=False)
+    job.put(name, out.getbuffer())
+    return len(found["a"])

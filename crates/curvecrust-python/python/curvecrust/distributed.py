@@ -1,9 +1,9 @@
 """Curves through more points than one machine holds, on a cluster of Dask.
 
 ``curvecrust.distributed.reconstruct("s3://maps/points", "s3://maps/edges")`` reads Parquet files of
-points and writes Parquet files of edges, exactly those of all points at once. Dask moves the points
-to their tiles and the edges to their places, watches the workers, and computes again what a lost
-one held. `curvecrust.tiles` has the steps.
+points and writes Parquet files of edges, exactly those of all points at once. Dask runs the tasks,
+watches the workers, and runs again what a lost one had begun. A run that was stopped goes on where
+it was if it is called again. `curvecrust.tiles` has the steps.
 """
 
 from __future__ import annotations
@@ -12,8 +12,6 @@ import contextlib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import dask
-import dask.dataframe
 import distributed
 
 from . import tiles
@@ -21,8 +19,6 @@ from .tiles import Result, edges
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
-
-    import pandas as pd
 
 __all__ = ["Result", "edges", "reconstruct"]
 
@@ -76,7 +72,7 @@ def reconstruct(
     FileNotFoundError
         If the source holds no file.
     """
-    with _client(client) as cluster, dask.config.set({"dataframe.convert-string": False}):
+    with _client(client) as cluster:
         return tiles.reconstruct(
             source,
             target,
@@ -95,22 +91,6 @@ class _Dask:
 
     def map(self, step: Callable[[Any], Any], items: Sequence[Any]) -> list[Any]:
         done: list[Any] = self.cluster.gather(self.cluster.map(step, list(items), pure=False))
-        return done
-
-    def exchange(
-        self,
-        load: Callable[[Any], pd.DataFrame],
-        items: Sequence[Any],
-        empty: pd.DataFrame,
-        act: Callable[[pd.DataFrame, int], int],
-        parts: int,
-    ) -> list[int]:
-        if not items:
-            return [act(empty, part) for part in range(parts)]
-        frame = dask.dataframe.from_map(load, list(items), meta=empty)
-        frame = frame.set_index("goes_to", divisions=list(range(parts + 1)))
-        tasks = [dask.delayed(act)(part, number) for number, part in enumerate(frame.to_delayed())]
-        done: list[int] = self.cluster.gather(self.cluster.compute(tasks))
         return done
 
 

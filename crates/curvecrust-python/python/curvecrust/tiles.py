@@ -3,8 +3,9 @@
 The points are cut into tiles. Each is solved by itself, by a pure function; what its border leaves
 open is asked of the samples of other tiles. The edges are exactly those of all points at once.
 
-An `Engine` calls the steps, moves frames between them, and calls them again where a worker was
-lost: every file is there completely or not at all, and is the same whoever writes it.
+An `Engine` calls the steps, and calls them again where a worker was lost. The rows go from step to
+step through files beside the result, each of which is there completely or not at all, and is the
+same whoever writes it. So a run that was stopped goes on where it was.
 `curvecrust.distributed` is that of Dask.
 """
 
@@ -16,12 +17,13 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import fsspec
 import numpy as np
-import pandas as pd
 import pyarrow.parquet as pq
 
 from . import _curvecrust
+from . import _tile_source as source_files
 from . import _tile_steps as steps
-from ._tile_steps import Job, Plan
+from ._tile_job import Job
+from ._tile_steps import Plan
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -32,23 +34,13 @@ __all__ = ["Engine", "Result", "edges", "reconstruct"]
 
 
 class Engine(Protocol):
-    """What runs functions on many machines."""
+    """What runs functions on many machines, all of which reach the source and the target."""
 
     def map(self, step: Callable[[Any], Any], items: Sequence[Any]) -> list[Any]:
-        """Call a step for each item; return what it returns, in the order of the items."""
+        """Call a step for each item; return what it returns, in the order of the items.
 
-    def exchange(
-        self,
-        load: Callable[[Any], pd.DataFrame],
-        items: Sequence[Any],
-        empty: pd.DataFrame,
-        act: Callable[[pd.DataFrame, int], int],
-        parts: int,
-    ) -> list[int]:
-        """Load a frame for each item, bring each row to its part, and act on each part.
-
-        The column ``goes_to`` says to which part a row goes, from 0 on; a part may have no row.
-        The order of the rows of a part does not matter. `empty` is a frame without rows.
+        Steps and items can be pickled. A step may be called twice for an item, on one machine or on
+        two at once; what it returns is small.
         """
 
 
@@ -95,26 +87,27 @@ def reconstruct(
     # This refuses a method that is not local.
     _curvecrust.tiles_join(none, none, method)
     job = Job(source, target, ("x", "y"), method, storage_options or {})
-    found = steps.files(job)
-    job = replace(job, columns=steps.columns(job, found[0], x, y))
-    steps.begin(job)
+    found = source_files.files(job)
+    job = replace(job, columns=source_files.columns(job, found[0], x, y))
+    job = replace(job, run=steps.name_of_run(job, found, tile_points))
+    job.begin()
     try:
         return _run(job, found, tile_points, engine)
-    finally:
-        steps.clean(job)
+    except ValueError:
+        # The source has to change, and then this is of no use.
+        job.clean()
+        raise
 
 
 def _run(job: Job, found: list[str], most: int, engine: Engine) -> Result:
     job, plan = _planned(job, found, most, engine)
     tiles, parts = len(plan.cells), max(1, -(-job.points // most))
-    load, act = partial(steps.rows, job), partial(steps.solve, job)
-    left = engine.exchange(load, plan.pieces, _empty(steps.ROWS), act, tiles)
+    engine.map(partial(steps.scatter, job), range(len(plan.pieces)))
+    left = engine.map(partial(steps.solve, job, parts), range(tiles))
     engine.map(partial(steps.gather, job), [tiles])
-    engine.map(partial(steps.ask, job), [tile for tile in range(tiles) if left[tile]])
-    items = [(tile, left[tile] > 0) for tile in range(tiles)]
-    load, act = partial(steps.pairs, job, parts), partial(steps.finish, job)
-    counts = engine.exchange(load, items, _empty(steps.PAIRS), act, parts)
-    steps.deliver(job, parts)
+    engine.map(partial(steps.ask, job, parts), [tile for tile in range(tiles) if left[tile]])
+    counts = engine.map(partial(steps.finish, job, parts, tiles), range(parts))
+    job.deliver([steps.part_name(part) for part in range(parts)])
     return Result(job.points, sum(counts), tiles, sum(left))
 
 
@@ -129,19 +122,17 @@ def edges(target: str, storage_options: dict[str, Any] | None = None) -> NDArray
     return np.stack(both, axis=1)
 
 
-def _empty(columns: dict[str, str]) -> pd.DataFrame:
-    return pd.DataFrame({name: pd.Series(dtype=kind) for name, kind in columns.items()})
-
-
 def _planned(job: Job, found: list[str], most: int, engine: Engine) -> tuple[Job, Plan]:
     """Cut the files into pieces, and the plane into tiles."""
-    surveyed = engine.map(partial(steps.survey, job), found)
-    parts = tuple(steps.pieces(surveyed, most))
-    job = replace(job, points=sum(piece.rows for piece in parts))
+    surveyed = engine.map(partial(source_files.survey, job), found)
+    pieces = tuple(source_files.pieces(surveyed, most))
+    job = replace(job, points=sum(piece.rows for piece in pieces))
+    if job.has("pieces"):
+        return job, steps.plan_of(job)
     cells = max(1, -(-job.points // most))
     every = max(1, job.points // (cells * steps.SPREAD))
-    some = engine.map(partial(steps.spread, job, every), parts)
+    some = engine.map(partial(steps.spread, job, every), pieces)
     cuts = _curvecrust.tiles_cut(np.concatenate([np.zeros((0, 2)), *some]), cells)
-    plan = Plan(parts, cuts["axes"], cuts["at"], cuts["cells"].reshape(-1, 4))
+    plan = Plan(pieces, cuts["axes"], cuts["at"], cuts["cells"].reshape(-1, 4))
     steps.put_plan(job, plan)
     return job, plan
