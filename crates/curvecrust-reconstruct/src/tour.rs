@@ -46,9 +46,10 @@ const ROUNDING: f64 = 1e-12;
 /// What that may hide of the shortest edge.
 const LEAST_PART: f64 = 1e-6;
 
-/// Perturbations for each vertex. Detours leave fewer tours that are nearly as good.
-const PERTURBATIONS: usize = 12;
-const PERTURBATIONS_WITH_DETOURS: usize = 5;
+/// Perturbations for each vertex, and of any tour. Detours leave fewer tours that are nearly as
+/// good, and each perturbation takes longer.
+const PERTURBATIONS: [usize; 2] = [12, 14_000];
+const PERTURBATIONS_WITH_DETOURS: [usize; 2] = [5, 5_000];
 
 /// What a tour is to have little of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

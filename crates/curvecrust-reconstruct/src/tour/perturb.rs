@@ -12,9 +12,6 @@ use super::cost::Change;
 use super::order::{Mark, Order, Segment};
 use super::search::Search;
 
-/// Perturbations of any tour.
-const MOST_PERTURBATIONS: usize = 14_000;
-
 /// A walk has at most so many steps.
 const LONGEST_WALK: usize = 100;
 
@@ -28,8 +25,9 @@ const LONGEST_PATH: usize = 50;
 const ACCEPTED: f64 = 0.3;
 
 impl Search<'_> {
-    /// Perturbs the tour and improves it, so many times for each vertex; the best one remains.
-    pub(super) fn perturb_often(&mut self, times: usize) {
+    /// Perturbs the tour and improves it, so many times for each vertex and so many at most; the
+    /// best one remains.
+    pub(super) fn perturb_often(&mut self, [times, most]: [usize; 2]) {
         let count = self.tour.len();
         // A double bridge takes five vertices at least. Of the three tours through four, exchanges
         // find the shortest.
@@ -39,7 +37,7 @@ impl Search<'_> {
         self.keeps = false;
         self.tour.keep();
         let mut random = Random::new(1);
-        let rounds = (times * count).min(MOST_PERTURBATIONS);
+        let rounds = (times * count).min(most);
         let mut above = Change::default();
         let mut best = None;
         for round in 0..rounds {
