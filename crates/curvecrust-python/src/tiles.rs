@@ -51,8 +51,8 @@ pub(crate) fn tiles_cut<'py>(
         .map(Arrays::finish)
 }
 
-/// Points as samples with ids from `start` on, those of each cell together; the samples of cell i are
-/// those from `first[i]` to `first[i + 1]`.
+/// Points as samples with ids from `start` on, those of each cell together; the samples of cell i
+/// are those from `first[i]` to `first[i + 1]`.
 #[pyfunction]
 pub(crate) fn tiles_scatter<'py>(
     py: Python<'py>,

@@ -8,9 +8,9 @@ const NONE: (f64, u32) = (f64::INFINITY, u32::MAX);
 /// For each point the nearest one in each of eight quadrants, where there is one: four between the
 /// axes, and four that are turned by 45 degrees. Distances are sums along the sides of a quadrant.
 ///
-/// The nearest points of one at the border of a cluster are all of its cluster. D. S. Johnson, L. A.
-/// McGeoch, "The Traveling Salesman Problem: A Case Study in Local Optimization", in: Local Search
-/// in Combinatorial Optimization, 1997: with neighbours in each quadrant, a search can join
+/// The nearest points of one at the border of a cluster are all of its cluster. D. S. Johnson,
+/// L. A. McGeoch, "The Traveling Salesman Problem: A Case Study in Local Optimization", in: Local
+/// Search in Combinatorial Optimization, 1997: with neighbours in each quadrant, a search can join
 /// clusters.
 pub(super) fn in_quadrants(points: &[DVec2]) -> Vec<Vec<u32>> {
     let mut found = vec![Vec::new(); points.len()];

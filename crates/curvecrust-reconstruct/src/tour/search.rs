@@ -4,9 +4,9 @@
 //! Operations Research 21(2), 1973, in the form of K. Helsgaun, "An effective implementation of the
 //! Lin-Kernighan traveling salesman heuristic", European Journal of Operational Research 126, 2000:
 //! up to four edges are replaced at once, and what is between the first and the last of them need
-//! be no tour. If none of these exchanges pays, the one that is best before it is closed is made all
-//! the same, and goes on from its last end: a chain of exchanges, taken back unless it pays in the
-//! end. Around vertices where nothing was found, nothing is sought until a neighbour changes
+//! be no tour. If none of these exchanges pays, the one that is best before it is closed is made
+//! all the same, and goes on from its last end: a chain of exchanges, taken back unless it pays in
+//! the end. Around vertices where nothing was found, nothing is sought until a neighbour changes
 //! (don't-look bits: J. L. Bentley, "Fast Algorithms for Geometric Traveling Salesman Problems",
 //! ORSA Journal on Computing 4(4), 1992).
 
