@@ -24,6 +24,10 @@ const LONGEST_PATH: usize = 50;
 /// The share falls to 0.
 const ACCEPTED: f64 = 0.3;
 
+/// On most points 50 to 180 exchanges are sought after a perturbation; where distances are of many
+/// orders of magnitude, thousands. Perturbations end when there were so many for each on average.
+const MOST_SOUGHT: usize = 200;
+
 impl Search<'_> {
     /// Perturbs the tour and improves it, so many times for each vertex and so many at most; the
     /// best one remains.
@@ -41,6 +45,9 @@ impl Search<'_> {
         let mut above = Change::default();
         let mut best = None;
         for round in 0..rounds {
+            if self.sought > MOST_SOUGHT * rounds {
+                break;
+            }
             let share = ACCEPTED * (1.0 - round as f64 / rounds as f64);
             let (perturbed, edge) = self.perturb(&mut random);
             let change = perturbed + self.improve();

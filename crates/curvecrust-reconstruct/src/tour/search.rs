@@ -92,6 +92,8 @@ pub(super) struct Search<'a> {
     is_queued: Vec<bool>,
     /// Whether each exchange is kept at once.
     pub(super) keeps: bool,
+    /// How many exchanges were sought.
+    pub(super) sought: usize,
 }
 
 impl<'a> Search<'a> {
@@ -104,6 +106,7 @@ impl<'a> Search<'a> {
             queue: VecDeque::new(),
             is_queued,
             keeps: true,
+            sought: 0,
         }
     }
 
@@ -163,6 +166,7 @@ impl<'a> Search<'a> {
         let before = self.tour.mark();
         let mut chain = Chain::default();
         for _ in 0..LONGEST_CHAIN {
+            self.sought += 1;
             let opened = self.cost.edge(t1, t2) + self.vertex(t1) + self.vertex(t2);
             let exchange = Exchange::new(&self.tour, t1, t2);
             let found = self.deepened(&exchange, opened - chain.change.cost, &mut chain);
