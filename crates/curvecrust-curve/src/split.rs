@@ -188,6 +188,20 @@ impl SplitCurve {
         &self.components
     }
 
+    /// Whether each component is one piece: it has no corner, and was not cut where strokes touch.
+    ///
+    /// ```
+    /// use curvecrust_curve::SplitCurve;
+    ///
+    /// assert!(SplitCurve::from_path_data("M 0 0 H 4")?.is_smooth());
+    /// assert!(!SplitCurve::from_path_data("M 0 0 H 4 V 2")?.is_smooth());
+    /// # Ok::<(), curvecrust_curve::CurveError>(())
+    /// ```
+    #[must_use]
+    pub fn is_smooth(&self) -> bool {
+        self.pieces.components().len() == self.components.len()
+    }
+
     /// The corners, in the order of the curve; their segments are those of the components as given.
     #[must_use]
     pub fn corners(&self) -> &[Corner] {

@@ -345,7 +345,9 @@ impl Ladder<'_> {
         };
         for (&at, &point) in start.params().iter().zip(start.points()) {
             let before = self.previous(key(at));
-            if before.is_some_and(|before| radius(before).is_none() && self.is_free(at, before)) {
+            if before
+                .is_some_and(|before| radius(before).is_none() && self.is_free(at, point, before))
+            {
                 self.add(at, point);
             }
         }
@@ -365,8 +367,7 @@ impl Ladder<'_> {
     }
 
     /// Whether no place is at a place, given the one before it.
-    fn is_free(&self, at: CurveParam, before: Key) -> bool {
-        let point = segment(self.curve, at).point(at.t);
+    fn is_free(&self, at: CurveParam, point: DVec2, before: Key) -> bool {
         let is_there = |key: Key| self.places[&key].point.distance(point) <= SHORT * self.extent;
         !self.places.contains_key(&key(at))
             && !is_there(before)

@@ -46,7 +46,7 @@ impl Strokes {
 
 /// The medial axis, and the dense points that it is of.
 fn axis_of(split: SplitCurve) -> PyResult<(MedialAxis, MeasuredCurve)> {
-    if is_smooth(&split) {
+    if split.is_smooth() {
         match measure_axis(split.pieces(), &MeasureOptions::default()) {
             Err(error) if error.touch().is_some() => {}
             found => return found.map_err(value_error),
@@ -57,13 +57,8 @@ fn axis_of(split: SplitCurve) -> PyResult<(MedialAxis, MeasuredCurve)> {
     Ok((axis, measured))
 }
 
-/// Whether there are no corners.
-fn is_smooth(split: &SplitCurve) -> bool {
-    split.pieces().components().len() == split.components().len()
-}
-
 fn measured(split: &SplitCurve) -> Result<MeasuredCurve, MedialAxisError> {
-    if is_smooth(split) {
+    if split.is_smooth() {
         measure(split.pieces())
     } else {
         measure_pieces(split)

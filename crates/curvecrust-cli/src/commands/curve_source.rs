@@ -292,7 +292,7 @@ impl CurveSource {
         split: SplitCurve,
         console: &Console,
     ) -> anyhow::Result<(SplitCurve, MedialAxis)> {
-        if is_smooth(&split) {
+        if split.is_smooth() {
             let options = self.options(None);
             let measured = console.during("measuring the medial axis", |progress| {
                 let progress = Progress::new(progress);
@@ -336,7 +336,7 @@ impl CurveSource {
         condition: Option<Condition>,
         console: &Console,
     ) -> anyhow::Result<MeasuredCurve> {
-        if is_smooth(split) {
+        if split.is_smooth() {
             return self.measure(split.pieces(), condition, console);
         }
         let gap_to_lfs = match self.discretisation {
@@ -357,11 +357,6 @@ impl CurveSource {
         });
         measured.map_err(|error| self.named(error))
     }
-}
-
-/// Whether there are no corners.
-fn is_smooth(split: &SplitCurve) -> bool {
-    split.pieces().components().len() == split.components().len()
 }
 
 /// The largest gap between dense points as a share of lfs that a condition asks for.

@@ -1,6 +1,7 @@
 //! Sets of points whose prices change together.
 
 use super::one_tree::Link;
+use crate::clusters::Clusters;
 
 /// The sets that Kruskal's algorithm makes on its way to a minimum spanning tree: each point by
 /// itself, and all that an edge joins.
@@ -28,19 +29,21 @@ impl Moats {
             lengths.then(e.ends.cmp(&f.ends))
         });
         let mut above: Vec<usize> = (0..count).collect();
-        let mut up = above.clone();
+        let mut clusters = Clusters::new(count);
+        // The set of each cluster, by the point that names it.
+        let mut sets = above.clone();
         // The length of the edge that made each set.
         let mut made = vec![0.0; count];
         for link in order {
-            let parts = link.ends.map(|v| last(&mut up, v as usize));
-            if parts[0] != parts[1] {
+            let [v, w] = link.ends;
+            let parts = [v, w].map(|v| sets[clusters.name(v) as usize]);
+            if clusters.join(v, w) {
                 let set = above.len();
                 for part in parts {
                     above[part] = set;
-                    up[part] = set;
                 }
                 above.push(set);
-                up.push(set);
+                sets[clusters.name(v) as usize] = set;
                 made.push(link.length);
             }
         }
@@ -74,13 +77,4 @@ impl Moats {
         }
         (&spread[..values.len()], squares)
     }
-}
-
-/// The last set that a set is in. Ways up are halved.
-fn last(up: &mut [usize], mut set: usize) -> usize {
-    while up[set] != set {
-        up[set] = up[up[set]];
-        set = up[set];
-    }
-    set
 }
