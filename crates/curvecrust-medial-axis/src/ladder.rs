@@ -137,7 +137,7 @@ impl Ladder<'_> {
     /// Halves gaps until none is long; whether that took no more than `most` places.
     fn halve(&mut self, most: usize) -> bool {
         let interrupt = Interrupt::current();
-        let most = most + self.places.len();
+        let most = most.saturating_add(self.places.len());
         loop {
             while let Some(start) = self.open.pop() {
                 interrupt.check();

@@ -30,6 +30,8 @@ pub(crate) const TOUCHING: f64 = 1e-7;
 const OVERLAP_ROUNDS: usize = 6;
 /// Where the axis asks for more points than this, near strands get points that face each other, ...
 const MANY: f64 = 20_000.0;
+/// ... unless it asks for more than any strands that do not touch, ...
+const TOO_MANY: f64 = 1e12;
 /// ... once their number has settled or so many rounds have passed, ...
 const ROUNDS_TO_KNOW: usize = 2;
 /// ... and if they are fewer by at least this factor.
@@ -113,7 +115,7 @@ pub(crate) fn axis(
         let asked: f64 = parts.iter().sum();
         let is_known = asked < 2.0 * asked_before || round >= ROUNDS_TO_KNOW;
         asked_before = asked;
-        if is_plain && asked > MANY && is_known {
+        if is_plain && is_known && asked > MANY && asked < TOO_MANY {
             is_plain = false;
             #[expect(
                 clippy::cast_possible_truncation,

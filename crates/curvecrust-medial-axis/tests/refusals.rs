@@ -127,3 +127,17 @@ fn a_lone_segment_has_no_axis() {
         assert!(measured.lfs().values().iter().all(|lfs| lfs.is_infinite()));
     }
 }
+
+#[test]
+fn a_tip_that_asks_for_points_without_end() {
+    // The first segment bends so sharply at its start that no points are dense there.
+    let d = "M 0 -5937499999.999 C 0.0008869949227792841 -5937499999.999461 3e9 -59375e5 \
+             3e9 -59375e5 C 3e9 -59375e5 6e9 -59375e5 6e9 -59375e5";
+    for gap_to_lfs in [0.5, 0.05] {
+        let error = refusal(d, Discretisation::Adaptive { gap_to_lfs });
+        let MedialAxisError::Touching { at, .. } = error else {
+            panic!("{error}");
+        };
+        assert!(at.x < 600.0, "{at}");
+    }
+}
