@@ -30,8 +30,6 @@ pub(crate) const TOUCHING: f64 = 1e-7;
 const OVERLAP_ROUNDS: usize = 6;
 /// Where the axis asks for more points than this, near strands get points that face each other, ...
 const MANY: f64 = 20_000.0;
-/// ... unless it asks for more than any strands that do not touch, ...
-const TOO_MANY: f64 = 1e12;
 /// ... once their number has settled or so many rounds have passed, ...
 const ROUNDS_TO_KNOW: usize = 2;
 /// ... and if they are fewer by at least this factor.
@@ -115,7 +113,7 @@ pub(crate) fn axis(
         let asked: f64 = parts.iter().sum();
         let is_known = asked < 2.0 * asked_before || round >= ROUNDS_TO_KNOW;
         asked_before = asked;
-        if is_plain && is_known && asked > MANY && asked < TOO_MANY {
+        if is_plain && is_known && asked > MANY && !has_tip(curve, dense) {
             is_plain = false;
             #[expect(
                 clippy::cast_possible_truncation,
@@ -166,6 +164,16 @@ fn refusal(
     let mut points = 0..dense.len();
     let near = points.find(|&i| spanning.is_empty() && lfs.at(i) < distance);
     near.map(touching)
+}
+
+/// Whether the curve bends so sharply somewhere that lfs will be too small there.
+fn has_tip(curve: &Curve, dense: &DenseCurve) -> bool {
+    let radius = |i| {
+        let [from, to] = [i, dense.next(i)?].map(|i| dense.params()[i]);
+        Some(curvature::least_radius(curve, from, to))
+    };
+    let mut radii = (0..dense.len()).filter_map(radius);
+    radii.any(|radius| radius < TOUCHING * curve.extent())
 }
 
 /// The points that refinement starts from.
