@@ -10,10 +10,11 @@
 //! 1. **Start.** Edges are taken greedily, the shortest first ([`greedy`]).
 //! 2. **Improve.** Lin-Kernighan: chains of exchanges of up to four edges, as long as that lowers
 //!    the cost ([`search`]), first among near points. For a closed tour of least length, a
-//!    Held-Karp bound then tells which edges the shortest tour may have ([`alpha`]); if it is the
-//!    length of the tour found, step 3 is left out.
+//!    Held-Karp bound then tells which edges the shortest tour may have, and has prices of the
+//!    points with which right exchanges are found more often ([`alpha`]); if it is the length of
+//!    the tour found, step 3 is left out.
 //! 3. **Perturb.** Four edges at random are exchanged and the tour is improved around them, many
-//!    times ([`perturb`]).
+//!    times ([`perturb`]); for a closed tour of least length, from several starts ([`merge`]).
 //! 4. **Uncross.** Edges that still meet elsewhere than at a common end are exchanged
 //!    ([`uncross`](mod@uncross)): a simple polygon remains.
 //!
@@ -25,6 +26,7 @@ mod around;
 mod cost;
 mod exchange;
 mod greedy;
+mod merge;
 mod near;
 mod order;
 mod perturb;
@@ -46,8 +48,8 @@ const ROUNDING: f64 = 1e-12;
 /// What that may hide of the shortest edge.
 const LEAST_PART: f64 = 1e-6;
 
-/// Perturbations for each vertex, and of any tour. Detours leave fewer tours that are nearly as
-/// good, and each perturbation takes longer.
+/// Perturbations for each vertex, and of any tour, but for the shortest closed one. Detours leave
+/// fewer tours that are nearly as good, and each perturbation takes longer.
 const PERTURBATIONS: [usize; 2] = [12, 14_000];
 const PERTURBATIONS_WITH_DETOURS: [usize; 2] = [5, 5_000];
 
@@ -93,25 +95,35 @@ pub(crate) fn short_tour(points: &PointSet, task: &Task) -> Vec<Vec<u32>> {
     let start = greedy::tour(points, &near, &cost);
     let mut search = Search::new(&cost, near, Order::new(start));
     search.improve_all();
-    let mut is_shortest = false;
-    if task.goal == Goal::Length && task.gaps == 0 {
-        let near = search.near.and_around(points);
-        let alpha = Alpha::new(points, &near, search.length());
-        search.near = alpha.near;
-        search.improve_all();
-        let length = search.length();
-        // Rounding hides no more than a small part of any edge.
-        let is_fine = ROUNDING * length <= LEAST_PART * search.shortest_edge();
-        is_shortest = is_fine && length <= alpha.bound * (1.0 + ROUNDING);
-    }
-    if !is_shortest {
-        search.perturb_often(match task.goal {
+    let tour = if task.goal == Goal::Length && task.gaps == 0 {
+        shortened(points, &cost, search)
+    } else {
+        let [times, most] = match task.goal {
             Goal::Length => PERTURBATIONS,
             Goal::LengthAndDetours => PERTURBATIONS_WITH_DETOURS,
-        });
-    }
-    let tour = uncross::uncrossed(&cost, search.into_order());
+        };
+        search.perturb_often((times * search.tour.len()).min(most), 1);
+        search.into_order()
+    };
+    let tour = uncross::uncrossed(&cost, tour);
     divided(&cost, tour)
+}
+
+/// A shorter closed tour, from one that was improved among near points.
+fn shortened(points: &PointSet, cost: &Cost<'_>, search: Search<'_>) -> Vec<u32> {
+    let near = search.near.and_around(points);
+    let alpha = Alpha::new(points, &near, search.lengths().sum());
+    let cost = cost.with_prices(&alpha.prices);
+    let mut search = Search::new(&cost, alpha.near, search.tour);
+    search.improve_all();
+    let length: f64 = search.lengths().sum();
+    let shortest_edge = search.lengths().fold(f64::INFINITY, f64::min);
+    // Rounding hides no more than a small part of any edge.
+    let is_fine = ROUNDING * length <= LEAST_PART * shortest_edge;
+    if !is_fine || length > alpha.bound * (1.0 + ROUNDING) {
+        search.merge_tours();
+    }
+    search.into_order()
 }
 
 /// The paths between the gaps.

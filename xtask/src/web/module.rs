@@ -10,8 +10,8 @@ pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 /// Vectors, which all browsers have known since 2023: the search of neighbours takes half the time.
 /// And few copies of inlined functions and loops, which take a thirtieth of the module and gain
 /// nothing.
-const FLAGS: &str = "-Ctarget-feature=+simd128 -Cllvm-args=-inline-threshold=28 \
-    -Cllvm-args=-inlinehint-threshold=40 -Cllvm-args=-unroll-runtime=false";
+const FLAGS: &str = "-Ctarget-feature=+simd128 -Cllvm-args=-inline-threshold=26 \
+    -Cllvm-args=-inlinehint-threshold=38 -Cllvm-args=-unroll-runtime=false";
 
 /// What only the source of the standard library allows, on top of [`FLAGS`]: a panic has nowhere
 /// to print its message and its place, and these are a twentieth of the module.

@@ -23,11 +23,13 @@ const LAST_STEP: f64 = 0.002;
 /// So many points are tried at each.
 const TRIED: usize = 6;
 
-/// Candidates, and a bound that the shortest tour of them keeps.
+/// Candidates, prices, and a bound that the shortest tour of them keeps.
 pub(super) struct Alpha {
     /// For every point those of the near ones whose edges have the least alpha-values, the least
     /// first.
     pub(super) near: Near,
+    /// The prices of the points.
+    pub(super) prices: Vec<f64>,
     /// No tour of the near edges is shorter.
     pub(super) bound: f64,
 }
@@ -63,6 +65,7 @@ impl Alpha {
         let lists: Vec<Vec<u32>> = lists.into_iter().map(least).collect();
         Self {
             near: Near::of_own(&lists),
+            prices: prices.to_vec(),
             bound: tree.bound,
         }
     }

@@ -29,17 +29,7 @@ impl Near {
             .collect();
         let adjacent = Adjacency::new(points.len(), &edges);
         let places = points.points();
-        let sort = |v: u32, list: &mut Vec<u32>| {
-            let at = places[v as usize];
-            list.sort_unstable_by(|&p, &q| {
-                let [p, q] = [p, q].map(|id| places[id as usize]);
-                let distances = [p, q].map(|p| at.distance_squared(p));
-                distances[0]
-                    .total_cmp(&distances[1])
-                    .then(by_coordinates(p, q))
-            });
-            list.dedup();
-        };
+        let sort = |v: u32, list: &mut Vec<u32>| sort(places, v, list);
         let adjacent = Self::of_lists(points, |v| {
             let mut list = adjacent.of(v).to_vec();
             sort(v, &mut list);
@@ -89,6 +79,22 @@ impl Near {
         Self::of_own(&lists)
     }
 
+    /// For each point those that are beside it in one of the tours, the nearest first.
+    pub(super) fn in_tours(tours: &[Vec<u32>], points: &[DVec2]) -> Self {
+        let mut lists = vec![Vec::new(); points.len()];
+        for tour in tours {
+            let next = tour.iter().cycle().skip(1);
+            for (&v, &w) in tour.iter().zip(next) {
+                lists[v as usize].push(w);
+                lists[w as usize].push(v);
+            }
+        }
+        for (v, list) in (0u32..).zip(&mut lists) {
+            sort(points, v, list);
+        }
+        Self::of_own(&lists)
+    }
+
     /// Of a list for each point.
     pub(super) fn of_own(lists: &[Vec<u32>]) -> Self {
         Self {
@@ -100,4 +106,17 @@ impl Near {
     pub(crate) fn of(&self, v: u32) -> &[u32] {
         self.targets.of(v)
     }
+}
+
+/// Sorts a list of points near one, the nearest first, and leaves each in it once.
+fn sort(places: &[DVec2], v: u32, list: &mut Vec<u32>) {
+    let at = places[v as usize];
+    list.sort_unstable_by(|&p, &q| {
+        let [p, q] = [p, q].map(|id| places[id as usize]);
+        let distances = [p, q].map(|p| at.distance_squared(p));
+        distances[0]
+            .total_cmp(&distances[1])
+            .then(by_coordinates(p, q))
+    });
+    list.dedup();
 }

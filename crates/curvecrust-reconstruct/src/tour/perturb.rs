@@ -29,9 +29,8 @@ const ACCEPTED: f64 = 0.3;
 const MOST_SOUGHT: usize = 200;
 
 impl Search<'_> {
-    /// Perturbs the tour and improves it, so many times for each vertex and so many at most; the
-    /// best one remains.
-    pub(super) fn perturb_often(&mut self, [times, most]: [usize; 2]) {
+    /// Perturbs the tour and improves it, so many times; the best one remains.
+    pub(super) fn perturb_often(&mut self, rounds: usize, seed: u64) {
         let count = self.tour.len();
         // A double bridge takes five vertices at least. Of the three tours through four, exchanges
         // find the shortest.
@@ -40,12 +39,12 @@ impl Search<'_> {
         }
         self.keeps = false;
         self.tour.keep();
-        let mut random = Random::new(1);
-        let rounds = (times * count).min(most);
+        let most = self.sought + MOST_SOUGHT * rounds;
+        let mut random = Random::new(seed);
         let mut above = Change::default();
         let mut best = None;
         for round in 0..rounds {
-            if self.sought > MOST_SOUGHT * rounds {
+            if self.sought > most {
                 break;
             }
             let share = ACCEPTED * (1.0 - round as f64 / rounds as f64);

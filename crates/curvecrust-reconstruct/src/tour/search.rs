@@ -110,15 +110,19 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The cost of the edges.
-    pub(super) fn length(&self) -> f64 {
-        self.tour.edges().map(|[v, w]| self.cost.edge(v, w)).sum()
+    /// The lengths of the edges of a tour without gaps.
+    pub(super) fn lengths(&self) -> impl Iterator<Item = f64> {
+        let points = self.cost.points();
+        let place = |v: u32| points[v as usize];
+        let edges = self.tour.edges();
+        edges.map(move |[v, w]| place(v).distance(place(w)))
     }
 
-    /// The least cost of an edge.
-    pub(super) fn shortest_edge(&self) -> f64 {
-        let costs = self.tour.edges().map(|[v, w]| self.cost.edge(v, w));
-        costs.fold(f64::INFINITY, f64::min)
+    /// Another tour, improved everywhere.
+    pub(super) fn restart(&mut self, tour: Vec<u32>) {
+        self.tour = Order::new(tour);
+        self.keeps = true;
+        self.improve_all();
     }
 
     pub(super) fn into_order(self) -> Vec<u32> {
