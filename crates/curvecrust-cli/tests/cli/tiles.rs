@@ -57,7 +57,7 @@ fn tiled(folder: &Folder, options: &str) -> Vec<u8> {
 #[test]
 fn the_same_bytes_for_tiles_of_any_size() {
     let folder = Folder::with("p.npy", npy(&curves(3000)));
-    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust"] {
+    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust", "crust"] {
         let options = format!("--algorithm {algorithm}");
         let expected = at_once(&folder, &options);
         for size in [40, 1499, 10_000] {
@@ -71,6 +71,8 @@ fn the_same_bytes_for_tiles_of_any_size() {
     let folder = Folder::with("p.npy", npy(&curves(120)));
     let expected = at_once(&folder, "--algorithm hnn-crust");
     assert!(tiled(&folder, "--tile-points 1") == expected);
+    let expected = at_once(&folder, "--algorithm crust");
+    assert!(tiled(&folder, "--algorithm crust --tile-points 1") == expected);
 }
 
 #[test]
@@ -287,8 +289,9 @@ fn what_tiles_are_not_for_is_refused() {
             .error()
     };
     assert_eq!(
-        error("p.npy --algorithm crust"),
-        "error: crust is not local enough for tiles: use hnn-crust, hnn-crust-union, nn-crust"
+        error("p.npy --algorithm least-detour"),
+        "error: least-detour is not local enough for tiles: use hnn-crust, hnn-crust-union, \
+         nn-crust, crust"
     );
     assert_eq!(
         error("p.csv"),
