@@ -1,6 +1,6 @@
-//! HNN-Crust and NN-Crust on points that no machine holds at once: exactly the same edges.
+//! HNN-Crust, NN-Crust and Crust on points that no machine holds at once: exactly the same edges.
 //!
-//! Both algorithms are local: a sample is joined to its nearest and its half neighbour, and both
+//! The first two are local: a sample is joined to its nearest and its half neighbour, and both
 //! are certain as soon as everything nearby is known. So the plane is cut into tiles, each tile
 //! is solved by itself, and what its border leaves open is asked of other tiles. This crate has the
 //! steps as pure functions; it reads no files, moves no data and starts no workers. The program
@@ -21,6 +21,11 @@
 //! [`nn_crust`](curvecrust_reconstruct::nn_crust()) for all points at once, bit for bit, whatever
 //! the tiles, their halos and the order of the steps; so are the chains. Ids are u64, so there may
 //! be more samples than a point set holds.
+//!
+//! Delaunay edges and Crust take two steps instead of the first ones: a tile finds the [`Stars`] of
+//! its samples by [`solve_delaunay_tile`] or [`solve_crust_tile`], and [`close_stars`] those that are
+//! open, with samples of other tiles. The edges of all tiles together are those of
+//! [`crust`](curvecrust_reconstruct::crust()), or all that every Delaunay triangulation has.
 //!
 //! ```
 //! use curvecrust_geometry::{DVec2, Progress};

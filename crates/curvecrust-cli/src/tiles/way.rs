@@ -34,7 +34,7 @@ impl Way {
     pub(super) fn bytes(self) -> u64 {
         match self {
             Self::Choices(_) => super::POINT,
-            Self::Stars(_) => 1024,
+            Self::Stars(_) => 1280,
         }
     }
 }

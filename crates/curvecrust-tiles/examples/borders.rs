@@ -1,7 +1,9 @@
-//! How many samples a tile leaves open, by how far around it everything is loaded, and what it
-//! costs to close them: `cargo run --release -p curvecrust-tiles --example open_stars -- 1000000`.
+//! What borders of tiles cost: how many samples a tile leaves open, by how far around it everything
+//! is loaded, and what it takes to close them; and how many edges of least detour, which has no
+//! tiles, would be others. Edges that have to be the same are compared with those of all points at
+//! once.
 //!
-//! The edges by tiles are compared with those of all points at once.
+//! `cargo run --release -p curvecrust-tiles --example borders -- 1000000`
 
 #![allow(
     clippy::print_stdout,
@@ -12,9 +14,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use curvecrust_geometry::{DVec2, PointId, PointSet, Progress, Random};
-use curvecrust_reconstruct::crust;
+use curvecrust_geometry::{DVec2, EdgeSet, PointId, PointSet, Progress, Random};
 use curvecrust_reconstruct::partial_crust::is_in_all;
+use curvecrust_reconstruct::{crust, least_detour};
 use curvecrust_tiles::{
     Area, Atlas, Elsewhere, Ids, Partition, Sample, Samples, SolveStars, TilesError, close_stars,
     solve_crust_tile, solve_delaunay_tile,
@@ -38,12 +40,9 @@ fn main() {
         println!("{name}: {} points", points.len());
         measure("delaunay", solve_delaunay_tile, &points, spacing, delaunay);
         measure("crust", solve_crust_tile, &points, spacing, |points| {
-            crust(points)
-                .edges()
-                .iter()
-                .map(|e| pair(e.ends()))
-                .collect()
+            pairs(&crust(points))
         });
+        least_detour_at_borders(&points, spacing);
     }
 }
 
@@ -62,7 +61,7 @@ fn measure(
         start.elapsed(),
         expected.len()
     );
-    for halo in [0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0] {
+    for halo in HALOS {
         let tiles = tiles(points, halo * spacing);
         let loaded: usize = tiles.iter().map(|(_, _, halo)| halo.len()).sum();
         let start = Instant::now();
@@ -87,6 +86,42 @@ fn measure(
         start.elapsed()
     );
     assert_eq!(found, expected);
+}
+
+/// Halos in spacings.
+const HALOS: [f64; 7] = [0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
+
+/// How many edges of least detour differ if every tile is reconstructed alone, with a halo.
+fn least_detour_at_borders(points: &PointSet, spacing: f64) {
+    let expected = pairs(&least_detour(points));
+    println!("least detour: {} edges", expected.len());
+    for halo in HALOS {
+        let mut found = Vec::new();
+        for (owned, _, others) in tiles(points, halo * spacing) {
+            let all: Vec<Sample> = owned.iter().chain(others).collect();
+            let places = all.iter().map(|sample| sample.point);
+            let local = least_detour(&PointSet::new(places.collect()).unwrap());
+            let is_owned = |at: PointId| at.index() < owned.len();
+            for ends in local.edges().iter().map(|edge| edge.ends()) {
+                let id = |at: PointId| all[at.index()].id;
+                let smaller = ends.into_iter().min_by_key(|&at| id(at));
+                if smaller.is_some_and(is_owned) {
+                    let [p, q] = ends.map(id);
+                    found.push([p.min(q), p.max(q)]);
+                }
+            }
+        }
+        found.sort_unstable();
+        let count = |of: &[[u64; 2]], not_in: &[[u64; 2]]| {
+            let is_other = |edge: &&[u64; 2]| not_in.binary_search(edge).is_err();
+            of.iter().filter(is_other).count()
+        };
+        println!(
+            "halo {halo} spacings: {} edges missing, {} others instead",
+            count(&expected, &found),
+            count(&found, &expected)
+        );
+    }
 }
 
 /// The edges of all tiles, how many runs of other tiles were read, and how often tiles were solved.
@@ -141,6 +176,12 @@ fn tiles(points: &PointSet, margin: f64) -> Vec<Tile> {
 fn pair(ends: [PointId; 2]) -> [u64; 2] {
     let [p, q] = ends.map(|id| u64::from(u32::from(id)));
     [p.min(q), p.max(q)]
+}
+
+fn pairs(edges: &EdgeSet) -> Vec<[u64; 2]> {
+    let mut pairs: Vec<_> = edges.edges().iter().map(|edge| pair(edge.ends())).collect();
+    pairs.sort_unstable();
+    pairs
 }
 
 fn delaunay(points: &PointSet) -> Vec<[u64; 2]> {
