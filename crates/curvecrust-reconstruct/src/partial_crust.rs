@@ -60,7 +60,7 @@ pub fn is_in_all(points: &PointSet, dual: &DualEdge) -> bool {
 
 /// What is known about the crust of all points from some of them.
 ///
-/// Edges with an end for which `is_asked` are found. `is_known` tells whether all points in a closed
+/// The edges are those with an end that `is_asked`. `is_known` tells whether all points in a closed
 /// disc are among the given ones; if a disc is known, so have to be those inside of it. With
 /// everything asked and known, the crust is `kept`.
 ///
@@ -124,8 +124,9 @@ pub fn partial_crust(
 /// The disc that holds the empty circles of all Voronoi vertices in some disc of a range.
 ///
 /// With h half the length of the edge, a disc at the cotangent t has its centre h t from the
-/// midpoint and the radius r = h sqrt(1 + t^2), which is convex in t. Three times the larger radius,
-/// and the way to the centre of the range, hold the disc of radius 3 r about each of the centres.
+/// midpoint and the radius r = h sqrt(1 + t^2), which is convex in t. Three times the larger
+/// radius, and the way to the centre of the range, hold the disc of radius 3 r about each of the
+/// centres.
 fn around(pencil: &Pencil<'_>, [low, high]: [f64; 2]) -> Disc {
     let middle = low / 2.0 + high / 2.0;
     let half = pencil.length() / 2.0;

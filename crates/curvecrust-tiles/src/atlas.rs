@@ -72,8 +72,8 @@ impl Atlas {
         found.map(|(index, _)| index)
     }
 
-    /// The nearest of the areas that are wanted, and the square of its distance, which `reach` tells:
-    /// `None` if an area holds nothing of interest, and neither do those that it covers.
+    /// The nearest of the areas that are wanted, and the square of its distance, which `reach`
+    /// tells: `None` if an area holds nothing of interest, and neither do those that it covers.
     pub(crate) fn nearest(
         &self,
         reach: impl Fn(Area) -> Option<f64>,

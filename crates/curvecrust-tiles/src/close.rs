@@ -18,10 +18,10 @@ pub type SolveStars = fn(&Samples, &[Sample], &Elsewhere) -> Result<Stars, Tiles
 /// lead to larger ids.
 ///
 /// `open` are the ids of these samples, such as those of [`Stars::open`]; the edges of the others
-/// are known. `elsewhere` knows where all samples are that are not `owned`. `read` gives the samples
-/// of an area of its atlas, each at most once. Every round solves with what is known, and reads the
-/// nearest area that each open sample asks for. It ends, as nothing is open when all is read.
-/// Reports how many of these samples are certain.
+/// are known. `elsewhere` knows where all samples are that are not `owned`. `read` gives the
+/// samples of an area of its atlas, each at most once. Every round solves with what is known, and
+/// reads the nearest area that each open sample asks for. It ends, as nothing is open when all is
+/// read. Reports how many of these samples are certain.
 ///
 /// # Errors
 /// Those of `read`, and of a sample at the place of another one.

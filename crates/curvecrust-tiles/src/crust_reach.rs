@@ -9,9 +9,9 @@
 //!
 //! The cell that p has among some of the samples is at least as large as the one among all. Of that
 //! cell, let s(u) be the inverse of the distance from p to its border in the direction u; each
-//! neighbour v contributes 2 (u v) / |v|^2, as seen from p, and s is the largest of these or 0. Then
-//! no q is farther away than 2 / sqrt(min s(u)^2 + s(u')^2) over all u, where u' is u turned by a
-//! right angle. Along a curve cells are thin, and this is little more than the spacing, though
+//! neighbour v contributes 2 (u v) / |v|^2, as seen from p, and s is the largest of these or 0.
+//! Then no q is farther away than 2 / sqrt(min s(u)^2 + s(u')^2) over all u, where u' is u turned
+//! by a right angle. Along a curve cells are thin, and this is little more than the spacing, though
 //! they may reach far.
 //!
 //! Besides, the midpoint of pq lies in the cell: the angle at a neighbour v is at most a right one.

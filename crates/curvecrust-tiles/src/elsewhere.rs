@@ -35,8 +35,8 @@ impl Asked {
 
 impl Elsewhere {
     /// Everywhere but in a rectangle: nothing is known about the rest of the plane.
-    /// [`Area::EVERYTHING`] says that there are no other samples, [`Area::NOTHING`] that they may be
-    /// anywhere.
+    /// [`Area::EVERYTHING`] says that there are no other samples, [`Area::NOTHING`] that they may
+    /// be anywhere.
     #[must_use]
     pub fn outside(loaded: Area) -> Self {
         let all = Area::EVERYTHING;

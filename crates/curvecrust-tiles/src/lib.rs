@@ -23,8 +23,8 @@
 //! be more samples than a point set holds.
 //!
 //! Delaunay edges and Crust take two steps instead of the first ones: a tile finds the [`Stars`] of
-//! its samples by [`solve_delaunay_tile`] or [`solve_crust_tile`], and [`close_stars`] those that are
-//! open, with samples of other tiles. The edges of all tiles together are those of
+//! its samples by [`solve_delaunay_tile`] or [`solve_crust_tile`], and [`close_stars`] those that
+//! are open, with samples of other tiles. The edges of all tiles together are those of
 //! [`crust`](curvecrust_reconstruct::crust()), or all that every Delaunay triangulation has.
 //!
 //! ```

@@ -3,9 +3,9 @@
 //! The star of a sample is all of its edges. It is certain if no sample that the tile does not have
 //! can change it; its edges are then those among all samples.
 //!
-//! **Delaunay.** The triangles around a sample are those among all samples if no missing sample lies
-//! in their circumcircles, nor beyond the edges of the hull; if all samples lie on a line, on both
-//! sides of it, nor between neighbours. Of cocircular samples the triangulation
+//! **Delaunay.** The triangles around a sample are those among all samples if no missing sample
+//! lies in their circumcircles, nor beyond the edges of the hull; if all samples lie on a line, on
+//! both sides of it, nor between neighbours. Of cocircular samples the triangulation
 //! chooses diagonals, by an order of insertion that all samples decide together. So only edges that
 //! every Delaunay triangulation has count: those whose Voronoi edge is longer than a point.
 //!
