@@ -36,9 +36,11 @@ impl Asked {
 impl Elsewhere {
     /// Everywhere but in a rectangle: nothing is known about the rest of the plane.
     /// [`Area::EVERYTHING`] says that there are no other samples, [`Area::NOTHING`] that they may
-    /// be anywhere.
+    /// be anywhere; so does one with a NaN.
     #[must_use]
     pub fn outside(loaded: Area) -> Self {
+        let is_nan = loaded.low.is_nan() || loaded.high.is_nan();
+        let loaded = if is_nan { Area::NOTHING } else { loaded };
         let all = Area::EVERYTHING;
         let [mut left, mut below, mut right, mut above] = [all; 4];
         left.high.x = loaded.low.x;

@@ -5,9 +5,9 @@
 //!
 //! **Delaunay.** The triangles around a sample are those among all samples if no missing sample
 //! lies in their circumcircles, nor beyond the edges of the hull; if all samples lie on a line, on
-//! both sides of it, nor between neighbours. Of cocircular samples the triangulation
-//! chooses diagonals, by an order of insertion that all samples decide together. So only edges that
-//! every Delaunay triangulation has count: those whose Voronoi edge is longer than a point.
+//! both sides of it, nor between neighbours. Of cocircular samples the triangulation chooses
+//! diagonals, by an order of insertion that all samples decide together. So only edges that every
+//! Delaunay triangulation has count: those whose Voronoi edge is longer than a point.
 //!
 //! **Crust.** Each edge of the loaded samples is kept, ruled out or undecided
 //! ([`partial_crust`](curvecrust_reconstruct::partial_crust)), and a sample knows how far away the

@@ -9,6 +9,9 @@ use curvecrust_geometry::{DVec2, PointSet};
 use curvecrust_testing::fixtures;
 use curvecrust_testing::hard_points::{HARD_POINTS, grid, shuffled, spiral};
 use curvecrust_testing::strategies::{any_points, even_runs, point_set};
+use curvecrust_tiles::{
+    Area, Elsewhere, Sample, Samples, TilesError, solve_crust_tile, solve_delaunay_tile,
+};
 use engine::{Kind, Plan, Split, at_once, by_tiles};
 use proptest::prelude::*;
 
@@ -136,12 +139,28 @@ fn duplicates_name_both_ids() {
         for halo in [-1.0, 0.0, 3.0] {
             for kind in Kind::ALL {
                 let found = by_tiles(&points, kind, plan(split, halo, 4));
-                let Err(curvecrust_tiles::TilesError::Duplicate { first, second, .. }) = found
-                else {
+                let Err(TilesError::Duplicate { first, second, .. }) = found else {
                     panic!("{split:?}, {halo}: {found:?}");
                 };
                 assert_eq!([first, second], [20, 50]);
             }
+        }
+    }
+}
+
+/// With nothing or nonsense loaded all is open, with everything nothing.
+#[test]
+fn what_is_loaded_decides_what_is_open() {
+    let samples = spiral(30).into_iter().zip(0..);
+    let owned = Samples::new(samples.map(|(point, id)| Sample { id, point }).collect()).unwrap();
+    let nan = Area {
+        low: DVec2::NAN,
+        high: DVec2::INFINITY,
+    };
+    for solve in [solve_delaunay_tile, solve_crust_tile] {
+        for (loaded, open) in [(Area::NOTHING, 30), (nan, 30), (Area::EVERYTHING, 0)] {
+            let stars = solve(&owned, &[], &Elsewhere::outside(loaded)).unwrap();
+            assert_eq!(stars.open.len(), open);
         }
     }
 }
