@@ -9,7 +9,7 @@
 //! | survey | [`input`], [`plan`] | reads all points, checks them, and cuts the plane into tiles |
 //! | distribute | [`distribute`] | sorts the rows by tiles, chunk by chunk |
 //! | solve | [`solve`] | finds the edges of each tile, and what it cannot decide |
-//! | join | [`join`] | asks the tiles for what is open |
+//! | join | [`join`], [`stars`] | asks the tiles for what is open |
 //! | merge | [`merge`] | writes the edges of all |
 //! | order | [`polylines`] | writes the curves, tile by tile |
 
@@ -20,7 +20,10 @@ mod merge;
 mod plan;
 mod polylines;
 mod records;
+mod runs;
 mod solve;
+mod stars;
+mod way;
 
 use crate::console::Console;
 use crate::format::Format;
@@ -28,7 +31,7 @@ use crate::output::Output;
 use crate::output::npy::Pairs;
 use crate::points::ColumnNames;
 use anyhow::Context;
-use curvecrust::tiles::{Method, Partition};
+use curvecrust::tiles::Partition;
 use distribute::Chunks;
 use input::Input;
 use merge::Merge;
@@ -39,6 +42,7 @@ use solve::{Counts, edge, edge_bytes};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+pub(crate) use way::Way;
 
 /// Hears how much of how much is done.
 type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -46,16 +50,16 @@ type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// Bytes that the program takes whatever the points are.
 const BASE: u64 = 32 << 20;
 
-/// Bytes that are needed for each point of a tile: most while its neighbours are sought.
-const POINT: u64 = 128;
-
 /// The number of points of the fastest tiles, if memory holds them: larger ones leave the cache.
 const TILE: usize = 1 << 18;
 
 /// More tiles than this would leave too few points of each in a chunk: they are larger then.
 const MOST_TILES: usize = 1 << 11;
 
-/// Rows of a chunk for each point of a tile that memory holds: a row takes about half as much.
+/// Bytes that are needed for each point of a tile whose samples make choices.
+const POINT: u64 = 128;
+
+/// Rows of a chunk for each such point that memory holds: a row takes about half as much.
 const ROWS: usize = 2;
 
 /// The least memory that a run can be limited to.
@@ -91,14 +95,16 @@ pub(crate) struct Wanted {
 
 impl Limits {
     /// The sizes of tiles and chunks for a number of points.
-    fn sizes(self, points: usize) -> Sizes {
-        let fits = self.memory.saturating_sub(BASE) / POINT;
-        let fits = usize::try_from(fits).unwrap_or(usize::MAX);
-        let fits = fits.clamp(1, u32::MAX as usize / 4);
+    fn sizes(self, points: usize, way: Way) -> Sizes {
+        let fits = self.memory.saturating_sub(BASE);
+        let points_of = |bytes: u64| {
+            let fits = usize::try_from(fits / bytes).unwrap_or(usize::MAX);
+            fits.clamp(1, u32::MAX as usize / 4)
+        };
         let fast = TILE.max(points / MOST_TILES);
         Sizes {
-            tile: self.tile_points.unwrap_or(fits.min(fast)),
-            chunk: ROWS * self.tile_points.unwrap_or(fits),
+            tile: self.tile_points.unwrap_or(points_of(way.bytes()).min(fast)),
+            chunk: ROWS * self.tile_points.unwrap_or(points_of(POINT)),
         }
     }
 }
@@ -118,7 +124,7 @@ pub(crate) fn run(
     points: &Points,
     folder: &Path,
     algorithm: &str,
-    method: Method,
+    way: Way,
     limits: Limits,
     wanted: &Wanted,
     console: &Console,
@@ -131,7 +137,7 @@ pub(crate) fn run(
         console.note(format_args!("{name}: {note}"));
     }
     let points = input.len();
-    let sizes = limits.sizes(points);
+    let sizes = limits.sizes(points, way);
     let job = Job::new(algorithm, points, sizes, print);
     let folder = Folder::open(folder)?;
     let plan = match folder.plan(&job)? {
@@ -148,15 +154,16 @@ pub(crate) fn run(
     let is_wide = points > u32::MAX as usize;
     let chunks = Chunks::new(points, sizes.chunk, partition.cells().len());
     solved(
-        &mut input, &folder, &partition, &chunks, method, is_wide, console,
+        &mut input, &folder, &partition, &chunks, way, is_wide, console,
     )?;
-    let open = console.during("asking other tiles", |progress| {
-        join::join(&folder, &partition, method, sizes, is_wide, progress)
+    let open = console.during("asking other tiles", |progress| match way {
+        Way::Choices(method) => join::join(&folder, &partition, method, sizes, is_wide, progress),
+        Way::Stars(solve) => stars::close(&folder, &partition, solve, is_wide, progress),
     })?;
     let tiles = partition.cells().len();
     let write_edges = |output: &Output| {
         console.during("writing", |progress| {
-            write(&folder, tiles, is_wide, output, progress)
+            write(&folder, tiles, way, is_wide, output, progress)
         })
     };
     let edges = wanted.edges.as_ref().map(write_edges).transpose()?;
@@ -164,6 +171,7 @@ pub(crate) fn run(
         folder: &folder,
         partition: &partition,
         sizes,
+        way,
         is_wide,
     };
     let write_curves = |place| solved.write_polylines(place, console);
@@ -182,7 +190,7 @@ fn solved(
     folder: &Folder,
     partition: &Partition,
     chunks: &Chunks,
-    method: Method,
+    way: Way,
     is_wide: bool,
     console: &Console,
 ) -> anyhow::Result<()> {
@@ -195,7 +203,7 @@ fn solved(
     }
     if !tiles.all(|tile| folder.result(tile).exists()) {
         console.during("solving tiles", |progress| {
-            solve::solve(chunks, folder, partition, method, is_wide, progress)
+            solve::solve(chunks, folder, partition, way, is_wide, progress)
         })?;
     }
     for path in (0..chunks.len()).map(|number| folder.chunk(number)) {
@@ -214,12 +222,13 @@ fn solved(
 fn write(
     folder: &Folder,
     tiles: usize,
+    way: Way,
     is_wide: bool,
     output: &Output,
     progress: Progress<'_>,
 ) -> anyhow::Result<u64> {
     let mut merge = Merge::new(edge_bytes(is_wide));
-    let results = (0..tiles).map(|tile| folder.result(tile));
+    let results = (0..tiles).map(|tile| folder.edges(tile, way));
     for path in results.chain([folder.joined()]) {
         let (counts, _) = Counts::open(&path, is_wide)?;
         merge.add(path, counts.to_edges(), counts.edges);

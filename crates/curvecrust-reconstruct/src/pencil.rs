@@ -68,12 +68,27 @@ impl<'a> Pencil<'a> {
     /// than all rounding errors, so that the disc holds the rounded place of each vertex inside the
     /// true disc; `None` beyond the range of doubles.
     pub(crate) fn disc(&self, cotangent: f64, origin: DVec2) -> Option<(DVec2, f64)> {
-        let to_centre = (self.across + cotangent * self.across.perp()) / 2.0;
+        let to_centre = self.to_centre(cotangent);
         let centre = (self.p - origin) + to_centre;
         // A vertex errs by 2^-20 of its distance to a sample, so by 2^-19 of the radius.
         let radius = to_centre.length() * (1.0 + 2f64.powi(-18)) + 64.0 * U * centre.length();
         let squared = radius * radius;
         squared.is_finite().then_some((centre, squared))
+    }
+
+    /// The first end.
+    pub(crate) fn start(&self) -> DVec2 {
+        self.p
+    }
+
+    /// The distance of both ends.
+    pub(crate) fn length(&self) -> f64 {
+        libm::hypot(self.across.x, self.across.y)
+    }
+
+    /// From the first end to the centre of a disc.
+    pub(crate) fn to_centre(&self, cotangent: f64) -> DVec2 {
+        (self.across + cotangent * self.across.perp()) / 2.0
     }
 
     /// What the vertex does: the side exactly, the cut with bounds.

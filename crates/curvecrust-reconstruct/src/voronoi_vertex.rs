@@ -4,6 +4,7 @@ use curvecrust_geometry::point_set::by_coordinates;
 use curvecrust_geometry::{DVec2, PointId, PointSet};
 use num_traits::ToPrimitive;
 
+use crate::disc::Disc;
 use crate::exact::{cross, integers, sub};
 
 /// Half a unit in the last place of 1: the relative error of one operation.
@@ -75,6 +76,16 @@ impl VoronoiVertex {
     /// The circumradius of its triangle, rounded.
     pub(crate) fn radius(&self) -> f64 {
         libm::hypot(self.offset.x, self.offset.y)
+    }
+
+    /// The disc within the circumcircle, rounded outwards.
+    pub(crate) fn disc(&self) -> Disc {
+        // The true centre is off by the error, and so is the true radius.
+        Disc {
+            from: self.corner,
+            to_centre: self.offset,
+            radius: self.radius() * (1.0 + 8.0 * U) + 2.0 * self.error,
+        }
     }
 
     /// Where it is as seen from an origin, rounded.

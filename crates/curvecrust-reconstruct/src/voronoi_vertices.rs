@@ -46,6 +46,8 @@ impl Indexed {
 pub(crate) struct VoronoiVertices<'a> {
     points: &'a PointSet,
     delaunay: &'a Delaunay,
+    /// Which of them count.
+    counts: &'a (dyn Fn(&VoronoiVertex) -> bool + Sync),
     /// Those that may lie in the smallest disc of an edge to be asked about: where samples are
     /// dense these are few.
     near: Indexed,
@@ -58,6 +60,16 @@ pub(crate) struct VoronoiVertices<'a> {
 impl<'a> VoronoiVertices<'a> {
     /// For questions about edges up to a length.
     pub(crate) fn new(points: &'a PointSet, delaunay: &'a Delaunay, longest: f64) -> Self {
+        Self::among(points, delaunay, longest, &|_| true)
+    }
+
+    /// The same for those of the vertices that count.
+    pub(crate) fn among(
+        points: &'a PointSet,
+        delaunay: &'a Delaunay,
+        longest: f64,
+        counts: &'a (dyn Fn(&VoronoiVertex) -> bool + Sync),
+    ) -> Self {
         // What lies in the disc with diameter pq is no farther from p or q than |pq| / sqrt 2; and
         // a little more, for rounding.
         let radius = FRAC_1_SQRT_2 * longest * (1.0 + 2f64.powi(-10));
@@ -68,6 +80,7 @@ impl<'a> VoronoiVertices<'a> {
         Self {
             points,
             delaunay,
+            counts,
             near: Indexed::new(near.collect()),
             far: OnceLock::new(),
             radius,
@@ -85,16 +98,22 @@ impl<'a> VoronoiVertices<'a> {
     }
 
     /// Whether some disc with both samples on its boundary has no Voronoi vertex inside, exactly.
+    pub(crate) fn spare_a_disc_through(&self, ends: [PointId; 2]) -> bool {
+        self.free_discs_through(ends).is_some()
+    }
+
+    /// A range of cotangents that holds a disc with both samples on its boundary and no vertex
+    /// inside, exactly; most often it is a single disc. `None` if there is no such disc.
     ///
     /// Tries one disc after the other. Vertices inside narrow the range of discs that may still be
     /// free; the next disc is taken from the middle of what is left, so that the range at least
     /// halves, until a disc is free or the ends of the range are too close to tell apart.
-    pub(crate) fn spare_a_disc_through(&self, ends: [PointId; 2]) -> bool {
+    pub(crate) fn free_discs_through(&self, ends: [PointId; 2]) -> Option<[f64; 2]> {
         let pencil = Pencil::new(self.points, ends);
-        let stop_at_first = &mut |_: &VoronoiVertex| ControlFlow::Break(());
+        let stop_at_first = &mut |vertex: &VoronoiVertex| self.stop_if_counted(vertex);
         let smallest = |origin| pencil.disc(0.0, origin);
         if self.near.in_disc(&smallest, stop_at_first).is_continue() {
-            return true;
+            return Some([0.0; 2]);
         }
         let mut range = Range::default();
         while let Some(tried) = range.probe() {
@@ -107,23 +126,32 @@ impl<'a> VoronoiVertices<'a> {
                 }
             });
             if range.surely_contains(tried) {
-                return true;
+                return Some([tried; 2]);
             }
             if range.is_empty(&pencil) {
-                return false;
+                return None;
             }
         }
         // What is outside of the discs at both ends of a range is outside of all discs between.
-        for end in range.outer_ends() {
+        let ends = range.outer_ends();
+        for end in ends {
             self.in_disc(&pencil, end, |vertex| {
                 range.apply(&pencil, vertex);
                 ControlFlow::Continue(())
             });
         }
-        !range.is_empty(&pencil)
+        (!range.is_empty(&pencil)).then_some(ends)
     }
 
-    /// Visits all vertices in a disc, and perhaps a few around it, until `visit` breaks.
+    fn stop_if_counted(&self, vertex: &VoronoiVertex) -> ControlFlow<()> {
+        if (self.counts)(vertex) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Visits all vertices that count in a disc, and perhaps a few around it, until `visit` breaks.
     fn in_disc<'v>(
         &'v self,
         pencil: &Pencil<'_>,
@@ -131,6 +159,13 @@ impl<'a> VoronoiVertices<'a> {
         mut visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
     ) {
         let disc = |origin| pencil.disc(cotangent, origin);
+        let mut visit = |vertex| {
+            if (self.counts)(vertex) {
+                visit(vertex)
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
         if self.near.in_disc(&disc, &mut visit).is_continue() {
             let _ = self.far().in_disc(&disc, &mut visit);
         }

@@ -1,6 +1,6 @@
-//! HNN-Crust and NN-Crust on points that no machine holds at once: exactly the same edges.
+//! HNN-Crust, NN-Crust and Crust on points that no machine holds at once: exactly the same edges.
 //!
-//! Both algorithms are local: a sample is joined to its nearest and its half neighbour, and both
+//! The first two are local: a sample is joined to its nearest and its half neighbour, and both
 //! are certain as soon as everything nearby is known. So the plane is cut into tiles, each tile
 //! is solved by itself, and what its border leaves open is asked of other tiles. This crate has the
 //! steps as pure functions; it reads no files, moves no data and starts no workers. The program
@@ -21,6 +21,11 @@
 //! [`nn_crust`](curvecrust_reconstruct::nn_crust()) for all points at once, bit for bit, whatever
 //! the tiles, their halos and the order of the steps; so are the chains. Ids are u64, so there may
 //! be more samples than a point set holds.
+//!
+//! Delaunay edges and Crust take two steps instead of the first ones: a tile finds the [`Stars`] of
+//! its samples by [`solve_delaunay_tile`] or [`solve_crust_tile`], and [`close_stars`] those that
+//! are open, with samples of other tiles. The edges of all tiles together are those of
+//! [`crust`](curvecrust_reconstruct::crust()), or all that every Delaunay triangulation has.
 //!
 //! ```
 //! use curvecrust_geometry::{DVec2, Progress};
@@ -55,8 +60,11 @@
 mod area;
 mod atlas;
 mod claim;
+mod close;
 mod contract;
+mod crust_reach;
 mod curves;
+mod elsewhere;
 mod error;
 mod exact_sum;
 mod ids;
@@ -65,16 +73,20 @@ mod open_sample;
 mod partition;
 mod piece;
 mod query;
+mod region;
 mod resolve;
 mod sample;
+mod stars;
 mod surroundings;
 mod tile;
 
 pub use area::Area;
 pub use atlas::Atlas;
 pub use claim::{Claim, joined};
+pub use close::{SolveStars, close_stars};
 pub use contract::pieces;
 pub use curves::{Curve, CurveId, JoinedCurves, Place, join_pieces};
+pub use elsewhere::Elsewhere;
 pub use error::TilesError;
 pub use exact_sum::ExactSum;
 pub use ids::Ids;
@@ -85,6 +97,7 @@ pub use piece::{Least, Piece, PieceSummary};
 pub use query::Query;
 pub use resolve::resolve;
 pub use sample::{Sample, Samples};
+pub use stars::{OpenStar, Stars, solve_crust_tile, solve_delaunay_tile};
 pub use surroundings::{Crossings, surrounding};
 pub use tile::{Choice, Decided, Solved, solve_tile};
 

@@ -21,7 +21,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     // An algorithm sees bare points: neither curves nor what is derived from them.
     ("reconstruct", &["geometry", "voronoi"]),
     ("denoise", &["geometry", "voronoi", "reconstruct"]),
-    ("tiles", &["geometry", "reconstruct"]),
+    ("tiles", &["geometry", "voronoi", "reconstruct"]),
     // Samples are verified by an algorithm; nothing leads back.
     (
         "sampling",

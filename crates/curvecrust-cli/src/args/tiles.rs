@@ -7,8 +7,8 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 pub(crate) struct Tiles {
     /// Work tile by tile in this folder, within limited memory; a run that was stopped
-    /// continues. For hnn-crust and nn-crust, from npy, parquet or a folder of parquet
-    /// files, to npy
+    /// continues. For hnn-crust, nn-crust and crust, from npy, parquet or a folder of
+    /// parquet files, to npy
     #[arg(
         long,
         value_name = "FOLDER",

@@ -3,25 +3,13 @@
 use super::Progress;
 use super::plan::{Folder, Sizes};
 use super::records;
-use super::solve::{Counts, RUN, Rest, put_edges};
-use anyhow::Context;
+use super::runs::Runs;
+use super::solve::{Counts, Rest, put_edges};
 use curvecrust::geometry::Progress as Listener;
-use curvecrust::tiles::{
-    Area, Atlas, Claim, Method, OpenSample, Partition, Query, Sample, joined, resolve,
-};
-use std::fs::File;
-use std::io::{self, Seek, SeekFrom};
+use curvecrust::tiles::{Claim, Method, OpenSample, Partition, Query, joined, resolve};
 
 /// Rows of a chunk that take as much memory as a question.
 const QUESTION: usize = 8;
-
-/// Where the runs of all tiles are, and the number of the first one of each.
-struct Runs<'a> {
-    folder: &'a Folder,
-    first: Vec<usize>,
-    /// The number of samples of each tile.
-    samples: Vec<u64>,
-}
 
 /// Asks and joins, unless an earlier run did; returns how many samples were open.
 pub(super) fn join(
@@ -37,25 +25,8 @@ pub(super) fn join(
         return Ok(Counts::open(&path, is_wide)?.0.samples);
     }
     let cells = partition.cells();
-    let mut runs = Runs {
-        folder,
-        first: Vec::new(),
-        samples: Vec::new(),
-    };
-    let mut areas: Vec<Area> = Vec::new();
-    let mut total: u64 = 0;
-    for tile in 0..cells.len() {
-        let result = folder.result(tile);
-        let (counts, mut reader) = Counts::open(&result, is_wide)?;
-        runs.first.push(areas.len());
-        runs.samples.push(counts.samples);
-        // The rest follows behind the runs, and is read when its tile asks.
-        let of_tile: Vec<Area> = records::get(&mut reader, counts.runs)
-            .with_context(|| format!("cannot read {}", result.display()))?;
-        areas.extend(of_tile);
-        total += counts.open;
-    }
-    let atlas = Atlas::new(areas);
+    let (runs, atlas) = Runs::of_tiles(folder, cells.len(), is_wide)?;
+    let total = runs.open;
     let mut claims: Vec<Claim> = Vec::new();
     let mut queries = Vec::new();
     let mut done = 0;
@@ -86,20 +57,4 @@ pub(super) fn join(
         put_edges(out, &edges, is_wide)
     })?;
     Ok(total)
-}
-
-impl Runs<'_> {
-    /// The samples of a run, by its number among those of all tiles.
-    fn read(&self, run: usize) -> anyhow::Result<Vec<Sample>> {
-        let tile = self.first.partition_point(|&first| first <= run) - 1;
-        let start = ((run - self.first[tile]) * RUN) as u64;
-        let count = (self.samples[tile] - start).min(RUN as u64);
-        let path = self.folder.samples(tile);
-        let read = || -> io::Result<Vec<Sample>> {
-            let mut file = File::open(&path)?;
-            file.seek(SeekFrom::Start(24 * start))?;
-            records::get(&mut file, count)
-        };
-        read().with_context(|| format!("cannot read {}", path.display()))
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::input::Fingerprint;
 use super::records;
+use super::way::Way;
 use anyhow::{Context, bail};
 use curvecrust::tiles::{Axis, Cut, Partition};
 use serde::{Deserialize, Serialize};
@@ -150,6 +151,19 @@ impl Folder {
     /// What was found in a tile.
     pub(super) fn result(&self, tile: usize) -> PathBuf {
         self.path.join(format!("tile-{tile:06}.result"))
+    }
+
+    /// The edges of a tile that needed samples of others.
+    pub(super) fn stars(&self, tile: usize) -> PathBuf {
+        self.path.join(format!("tile-{tile:06}.stars"))
+    }
+
+    /// Where the edges of a tile are.
+    pub(super) fn edges(&self, tile: usize, way: Way) -> PathBuf {
+        match way {
+            Way::Choices(_) => self.result(tile),
+            Way::Stars(_) => self.stars(tile),
+        }
     }
 
     /// The samples of a tile, along a Hilbert curve.

@@ -22,6 +22,7 @@ mod write;
 
 use super::Progress;
 use super::plan::{Folder, Sizes};
+use super::way::Way;
 use crate::console::Console;
 use curvecrust::tiles::Partition;
 use link::Across;
@@ -49,6 +50,7 @@ pub(super) struct Solved<'a> {
     pub(super) folder: &'a Folder,
     pub(super) partition: &'a Partition,
     pub(super) sizes: Sizes,
+    pub(super) way: Way,
     pub(super) is_wide: bool,
 }
 

@@ -4,8 +4,9 @@ use super::Progress;
 use super::distribute::Chunks;
 use super::plan::Folder;
 use super::records::{self, put, put_words};
+use super::way::Way;
 use anyhow::Context;
-use curvecrust::tiles::{Claim, Method, OpenSample, Partition, Samples, solve_tile};
+use curvecrust::tiles::{Claim, Decided, OpenSample, Partition, Samples, solve_tile};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -40,7 +41,7 @@ pub(super) fn solve(
     chunks: &Chunks,
     folder: &Folder,
     partition: &Partition,
-    method: Method,
+    way: Way,
     is_wide: bool,
     progress: Progress<'_>,
 ) -> anyhow::Result<()> {
@@ -53,21 +54,27 @@ pub(super) fn solve(
         }
         let samples = Samples::new(chunks.samples(folder, tile)?)?;
         records::write(&folder.samples(tile), |out| put(out, samples.iter()))?;
-        let solved = solve_tile(&samples, &[], cell, method)?;
-        let decided = solved.decided();
+        let (decided, open) = match way {
+            Way::Choices(method) => {
+                let solved = solve_tile(&samples, &[], cell, method)?;
+                (solved.decided(), solved.open().to_vec())
+            }
+            // They are solved when it is known where the samples of all tiles are.
+            Way::Stars(_) => (Decided::default(), Vec::new()),
+        };
         let runs = samples.run_areas(RUN);
         let counts = Counts {
             samples: samples.len() as u64,
             runs: runs.len() as u64,
             claims: decided.claims.len() as u64,
-            open: solved.open().len() as u64,
+            open: open.len() as u64,
             edges: decided.edges.len() as u64,
         };
         records::write(&path, |out| {
             counts.put(out)?;
             put(out, runs)?;
             put(out, decided.claims)?;
-            put(out, solved.open().iter().copied())?;
+            put(out, open)?;
             put_edges(out, &decided.edges, is_wide)
         })?;
     }

@@ -72,7 +72,11 @@ fn every_output_is_written_within_64_bytes_a_point() {
 #[test]
 fn tiles_stay_within_their_memory() {
     let folder = Folder::with("many.npy", circles(1000));
-    for output in ["-o edges.npy", "--polylines curves"] {
+    for output in [
+        "-o edges.npy",
+        "--polylines curves",
+        "-o edges.npy --algorithm crust --force",
+    ] {
         let line = "reconstruct many.npy --tiles work --memory 64MiB --quiet --threads 2";
         let mut child = folder.command(&format!("{line} {output}")).spawn().unwrap();
         let mut peak = 0;

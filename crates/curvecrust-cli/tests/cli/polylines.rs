@@ -214,7 +214,7 @@ fn rings_in_rings(count: usize) -> PointSet {
 
 #[test]
 fn curves_do_not_depend_on_tiles() {
-    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust"] {
+    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust", "crust"] {
         check_all(&rings_in_rings(2), algorithm, "few rings in rings");
         check_all(&rings_in_rings(8), algorithm, "rings in rings");
         check_all(&point_set(well_spread(40)), algorithm, "well spread");
@@ -249,7 +249,7 @@ proptest! {
     fn any_points_in_any_tiles(
         points in any_points().prop_filter("some points", |points| !points.is_empty()),
         size in 1..40usize,
-        algorithm in prop::sample::select(vec!["hnn-crust", "hnn-crust-union", "nn-crust"]),
+        algorithm in prop::sample::select(vec!["hnn-crust", "hnn-crust-union", "nn-crust", "crust"]),
     ) {
         check(&points, algorithm, size, "any points");
     }

@@ -57,7 +57,7 @@ fn tiled(folder: &Folder, options: &str) -> Vec<u8> {
 #[test]
 fn the_same_bytes_for_tiles_of_any_size() {
     let folder = Folder::with("p.npy", npy(&curves(3000)));
-    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust"] {
+    for algorithm in ["hnn-crust", "hnn-crust-union", "nn-crust", "crust"] {
         let options = format!("--algorithm {algorithm}");
         let expected = at_once(&folder, &options);
         for size in [40, 1499, 10_000] {
@@ -71,6 +71,8 @@ fn the_same_bytes_for_tiles_of_any_size() {
     let folder = Folder::with("p.npy", npy(&curves(120)));
     let expected = at_once(&folder, "--algorithm hnn-crust");
     assert!(tiled(&folder, "--tile-points 1") == expected);
+    let expected = at_once(&folder, "--algorithm crust");
+    assert!(tiled(&folder, "--algorithm crust --tile-points 1") == expected);
 }
 
 #[test]
@@ -117,32 +119,41 @@ fn a_last_point_that_repeats_the_first_is_the_first() {
     assert!(stderr.starts_with(says), "{stderr}");
 }
 
-/// The results of tiles that are there.
-fn results(folder: &Folder) -> Vec<String> {
+/// The results of tiles that are there, by the end of their names.
+fn results(folder: &Folder, end: &str) -> Vec<String> {
     let entries = fs::read_dir(folder.path().join("work"));
     let names = entries.into_iter().flatten().flatten();
     let names = names.filter_map(|entry| entry.file_name().into_string().ok());
-    names.filter(|name| name.ends_with(".result")).collect()
+    names.filter(|name| name.ends_with(end)).collect()
 }
 
 #[test]
 fn a_run_that_was_killed_goes_on() {
+    check_killed("hnn-crust", ".result");
+    check_killed("crust", ".stars");
+}
+
+/// Kills a run again and again, when there are so many results.
+fn check_killed(algorithm: &str, end: &str) {
     let folder = Folder::with("p.npy", npy(&curves(40_000)));
-    let expected = at_once(&folder, "--algorithm hnn-crust");
-    let line = "reconstruct p.npy --tiles work --tile-points 400 -o tiled.npy --force";
+    let algorithm = format!("--algorithm {algorithm}");
+    let expected = at_once(&folder, &algorithm);
+    let line = &format!(
+        "reconstruct p.npy --tiles work --tile-points 400 {algorithm} -o tiled.npy --force"
+    );
     // So many tiles are solved when it is killed.
     for tiles in [0, 1, 30, 70, 99] {
         let mut command = folder.command(line);
         let mut child = command.stderr(Stdio::null()).spawn().unwrap();
         let start = Instant::now();
-        while results(&folder).len() < tiles && child.try_wait().unwrap().is_none() {
+        while results(&folder, end).len() < tiles && child.try_wait().unwrap().is_none() {
             assert!(start.elapsed() < Duration::from_secs(60));
             std::thread::yield_now();
         }
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    let first = folder.path().join("work/tile-000000.result");
+    let first = folder.path().join(format!("work/tile-000000{end}"));
     let written = fs::metadata(&first)
         .and_then(|found| found.modified())
         .unwrap();
@@ -244,7 +255,7 @@ fn missing_and_damaged_tiles_are_named() {
                 made, cannot be read: delete the folder and start again: ";
     assert!(error.starts_with(says), "{error}");
     assert_eq!(
-        results(&folder).len(),
+        results(&folder, ".result").len(),
         10,
         "the others, and what was joined, are kept"
     );
@@ -287,8 +298,9 @@ fn what_tiles_are_not_for_is_refused() {
             .error()
     };
     assert_eq!(
-        error("p.npy --algorithm crust"),
-        "error: crust is not local enough for tiles: use hnn-crust, hnn-crust-union, nn-crust"
+        error("p.npy --algorithm least-detour"),
+        "error: least-detour is not local enough for tiles: use hnn-crust, hnn-crust-union, \
+         nn-crust, crust"
     );
     assert_eq!(
         error("p.csv"),

@@ -8,9 +8,8 @@ use crate::input;
 use crate::number::counted;
 use crate::output::Output;
 use crate::points::ColumnNames;
-use crate::tiles::{self, Done, Found, LEAST_MEMORY, Limits, Place, Points, Wanted};
+use crate::tiles::{self, Done, Found, LEAST_MEMORY, Limits, Place, Points, Wanted, Way};
 use anyhow::{Context, bail};
-use curvecrust::tiles::Method;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -27,7 +26,7 @@ pub(crate) struct Job {
     points: Points,
     folder: PathBuf,
     algorithm: &'static str,
-    method: Method,
+    way: Way,
     limits: Limits,
     wanted: Wanted,
 }
@@ -36,9 +35,8 @@ impl Job {
     /// The job of `--tiles FOLDER`.
     pub(crate) fn new(args: args::Reconstruct, folder: PathBuf) -> anyhow::Result<Self> {
         let algorithm = args.algorithm.info().name;
-        let method = Method::of_name(algorithm).with_context(|| {
-            let names: Vec<&str> = Method::ALL.iter().map(|(name, _)| *name).collect();
-            let names = names.join(", ");
+        let way = Way::of_name(algorithm).with_context(|| {
+            let names = Way::names().join(", ");
             format!("{algorithm} is not local enough for tiles: use {names}")
         })?;
         let path = args.points.path;
@@ -87,7 +85,7 @@ impl Job {
             points,
             folder,
             algorithm,
-            method,
+            way,
             limits: Limits {
                 memory,
                 tile_points: tile_points.map(NonZeroUsize::get),
@@ -100,13 +98,11 @@ impl Job {
             points,
             folder,
             algorithm,
-            method,
+            way,
             limits,
             wanted,
         } = self;
-        let done = tiles::run(
-            &points, &folder, algorithm, method, limits, &wanted, console,
-        )?;
+        let done = tiles::run(&points, &folder, algorithm, way, limits, &wanted, console)?;
         let Done {
             points,
             tiles,

@@ -54,7 +54,7 @@ pub(super) fn trace(job: &Solved<'_>, progress: Progress<'_>) -> anyhow::Result<
             links = Some(both_ways(&read_edges(&folder.joined(), job.is_wide)?));
         }
         let samples = samples(folder, tile)?;
-        let mut edges = read_edges(&folder.result(tile), job.is_wide)?;
+        let mut edges = read_edges(&folder.edges(tile, job.way), job.is_wide)?;
         add_links(&samples, links.as_deref().unwrap_or_default(), &mut edges);
         write_pieces(folder, tile, &samples, edges)?;
     }
