@@ -1,10 +1,10 @@
 //! Several tours from different starts, and the best of all of their edges.
 //!
-//! W. Cook, P. Seymour, "Tour Merging via Branch-Decomposition", INFORMS Journal on Computing 15(3),
-//! 2003: good tours share most of their edges, and the few edges that they have in all hold better
-//! tours than the best of them. Which clusters a tour passes in which order hardly changes after
-//! its start, so one tour, however long it is improved, may have a wrong order. Here a search among
-//! these edges alone takes the place of the decomposition.
+//! W. Cook, P. Seymour, "Tour Merging via Branch-Decomposition", INFORMS Journal on Computing
+//! 15(3), 2003: good tours share most of their edges, and the few edges that they have in all hold
+//! better tours than the best of them. Which clusters a tour passes in which order hardly changes
+//! after its start, so one tour, however long it is improved, may have a wrong order. Here a search
+//! among these edges alone takes the place of the decomposition.
 
 use curvecrust_geometry::Random;
 
@@ -18,7 +18,8 @@ const MOST_OF_ALL: usize = 40_000;
 
 /// So many tours at most, ...
 const TOURS: usize = 5;
-/// ... and none any more when so many exchanges were sought for each vertex. Most points take fewer.
+/// ... and none any more when so many exchanges were sought for each vertex, as on points whose
+/// distances are of many orders of magnitude.
 const MOST_SOUGHT: usize = 2_400;
 
 /// So many vertices that follow each other stay together in a start.
