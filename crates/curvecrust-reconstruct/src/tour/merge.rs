@@ -11,7 +11,8 @@ use curvecrust_geometry::Random;
 use super::near::Near;
 use super::search::Search;
 
-/// Perturbations for each vertex and each tour, of one tour, and of all.
+/// Perturbations for each vertex and each tour, of one tour, and of all: 10,000 vertices and more
+/// get one tour.
 const PERTURBATIONS: usize = 4;
 const MOST: usize = 14_000;
 const MOST_OF_ALL: usize = 40_000;
@@ -36,8 +37,9 @@ impl Search<'_> {
     /// shorter one is likely; if there are not, one is sought among the edges of all.
     pub(super) fn merge_tours(&mut self) {
         let count = self.tour.len();
-        let rounds = (PERTURBATIONS * count).min(MOST);
-        let most = (MOST_OF_ALL / rounds.max(1)).clamp(1, TOURS);
+        let wanted = PERTURBATIONS * count;
+        let rounds = wanted.min(MOST);
+        let most = (MOST_OF_ALL / wanted.max(1)).clamp(1, TOURS);
         let mut tours: Vec<Vec<u32>> = Vec::new();
         let (mut shortest, mut least, mut alike) = (0, f64::INFINITY, 0);
         for seed in (1..).take(most) {
