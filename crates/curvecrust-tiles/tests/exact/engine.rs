@@ -81,7 +81,11 @@ pub(crate) fn split(points: &[DVec2], split: Split) -> Vec<(Vec<Sample>, Option<
 }
 
 /// What a tile may take for loaded, and the samples of other tiles that it needs for that.
-fn halo(tiles: &[(Vec<Sample>, Option<Area>)], number: usize, margin: f64) -> (Area, Vec<Sample>) {
+pub(crate) fn halo(
+    tiles: &[(Vec<Sample>, Option<Area>)],
+    number: usize,
+    margin: f64,
+) -> (Area, Vec<Sample>) {
     let (owned, cell) = &tiles[number];
     let loaded = match cell {
         _ if margin < 0.0 => Area::NOTHING,

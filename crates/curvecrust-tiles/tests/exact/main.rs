@@ -4,6 +4,7 @@
 
 mod chains;
 mod engine;
+mod stars;
 
 use curvecrust_geometry::{DVec2, PointSet};
 use curvecrust_testing::fixtures;

@@ -1,8 +1,6 @@
 //! Delaunay edges and the crust by tiles are those of all points at once, whatever the tiles, halos
 //! and runs.
 
-#![allow(clippy::unwrap_used, reason = "a test, its helpers included")]
-
 mod engine;
 
 use curvecrust_geometry::{DVec2, PointSet};
@@ -12,31 +10,11 @@ use curvecrust_testing::strategies::{any_points, even_runs, point_set};
 use curvecrust_tiles::{
     Area, Elsewhere, Sample, Samples, TilesError, solve_crust_tile, solve_delaunay_tile,
 };
-use engine::{Kind, Plan, Split, at_once, by_tiles};
+use engine::{Kind, at_once, by_tiles};
 use proptest::prelude::*;
 
-/// Cases of each of the two properties: 10,000 in all in a release build.
-const CASES: u32 = if cfg!(debug_assertions) { 400 } else { 5000 };
-
-fn plans() -> impl Strategy<Value = Plan> {
-    let split = prop_oneof![
-        4 => (1..40usize).prop_map(Split::Cells),
-        1 => Just(Split::Cells(1000)),
-        2 => (1..30usize).prop_map(Split::Blocks),
-        2 => (1..9usize, any::<u64>()).prop_map(|(count, seed)| Split::Random(count, seed)),
-        2 => (0.01..3.0).prop_map(Split::Columns),
-        1 => Just(Split::Columns(1.0)),
-    ];
-    let halo = prop_oneof![
-        3 => Just(0.0),
-        1 => Just(-1.0),
-        2 => Just(1.0),
-        3 => 0.0..2.0f64,
-        1 => Just(1e-9),
-        1 => Just(1e9),
-    ];
-    (split, halo, 1..20usize).prop_map(|(split, halo, run)| Plan { split, halo, run })
-}
+use crate::engine::{Plan, Split};
+use crate::{CASES, plans, with_outliers};
 
 #[track_caller]
 fn assert_exact(points: &PointSet, plan: Plan, name: &str) {
@@ -45,12 +23,6 @@ fn assert_exact(points: &PointSet, plan: Plan, name: &str) {
         let found = by_tiles(points.points(), kind, plan);
         assert_eq!(found, Ok(expected), "{name}, {kind:?}, {plan:?}");
     }
-}
-
-/// Some of the points as far away as 10^9 times their distances.
-fn with_outliers(points: &PointSet, outliers: &[(f64, f64)]) -> PointSet {
-    let far = outliers.iter().map(|&(x, y)| 1e9 * DVec2::new(x, y));
-    point_set(points.points().iter().copied().chain(far).collect())
 }
 
 proptest! {
