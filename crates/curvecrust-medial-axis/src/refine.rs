@@ -168,12 +168,14 @@ fn refusal(
 
 /// Whether the curve bends so sharply somewhere that lfs will be too small there.
 fn has_tip(curve: &Curve, dense: &DenseCurve) -> bool {
-    let radius = |i| {
-        let [from, to] = [i, dense.next(i)?].map(|i| dense.params()[i]);
-        Some(curvature::least_radius(curve, from, to))
-    };
-    let mut radii = (0..dense.len()).filter_map(radius);
+    let gaps = (0..dense.len()).filter_map(|i| Some((i, dense.next(i)?)));
+    let mut radii = gaps.map(|gap| least_radius(curve, dense, gap));
     radii.any(|radius| radius < TOUCHING * curve.extent())
+}
+
+/// The least radius of curvature between two dense points.
+fn least_radius(curve: &Curve, dense: &DenseCurve, (from, to): (usize, usize)) -> f64 {
+    curvature::least_radius(curve, dense.params()[from], dense.params()[to])
 }
 
 /// The points that refinement starts from.
@@ -215,7 +217,7 @@ fn parts(
         let Some(next) = dense.next(i) else {
             return 0.0;
         };
-        let radius = curvature::least_radius(curve, dense.params()[i], dense.params()[next]);
+        let radius = least_radius(curve, dense, (i, next));
         chord(dense, i).length() / lfs.at(i).min(lfs.at(next)).min(radius)
     };
     let mut parts: Vec<f64> = (0..dense.len()).map(gap_to_lfs).collect();

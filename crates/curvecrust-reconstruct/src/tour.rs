@@ -42,7 +42,7 @@ pub(crate) use near::Near;
 use order::Order;
 use search::Search;
 
-/// A bound is the length of the tour if they differ by less than this share of it.
+/// Lengths of tours, or a length and a bound, are one if they differ by less than this share.
 const ROUNDING: f64 = 1e-12;
 
 /// What that may hide of the shortest edge.

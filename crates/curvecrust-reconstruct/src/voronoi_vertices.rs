@@ -110,9 +110,13 @@ impl<'a> VoronoiVertices<'a> {
     /// halves, until a disc is free or the ends of the range are too close to tell apart.
     pub(crate) fn free_discs_through(&self, ends: [PointId; 2]) -> Option<[f64; 2]> {
         let pencil = Pencil::new(self.points, ends);
-        let stop_at_first = &mut |vertex: &VoronoiVertex| self.stop_if_counted(vertex);
+        let mut stop_at_first = self.if_counted(|_| ControlFlow::Break(()));
         let smallest = |origin| pencil.disc(0.0, origin);
-        if self.near.in_disc(&smallest, stop_at_first).is_continue() {
+        if self
+            .near
+            .in_disc(&smallest, &mut stop_at_first)
+            .is_continue()
+        {
             return Some([0.0; 2]);
         }
         let mut range = Range::default();
@@ -143,11 +147,17 @@ impl<'a> VoronoiVertices<'a> {
         (!range.is_empty(&pencil)).then_some(ends)
     }
 
-    fn stop_if_counted(&self, vertex: &VoronoiVertex) -> ControlFlow<()> {
-        if (self.counts)(vertex) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
+    /// What visits the vertices that count alone.
+    fn if_counted<'v>(
+        &'v self,
+        mut visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
+    ) -> impl FnMut(&'v VoronoiVertex) -> ControlFlow<()> {
+        move |vertex| {
+            if (self.counts)(vertex) {
+                visit(vertex)
+            } else {
+                ControlFlow::Continue(())
+            }
         }
     }
 
@@ -156,16 +166,10 @@ impl<'a> VoronoiVertices<'a> {
         &'v self,
         pencil: &Pencil<'_>,
         cotangent: f64,
-        mut visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
+        visit: impl FnMut(&'v VoronoiVertex) -> ControlFlow<()>,
     ) {
         let disc = |origin| pencil.disc(cotangent, origin);
-        let mut visit = |vertex| {
-            if (self.counts)(vertex) {
-                visit(vertex)
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
+        let mut visit = self.if_counted(visit);
         if self.near.in_disc(&disc, &mut visit).is_continue() {
             let _ = self.far().in_disc(&disc, &mut visit);
         }

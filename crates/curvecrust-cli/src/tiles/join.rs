@@ -20,10 +20,44 @@ pub(super) fn join(
     is_wide: bool,
     progress: Progress<'_>,
 ) -> anyhow::Result<u64> {
+    once(folder, is_wide, || {
+        ask(folder, partition, method, sizes, is_wide, progress)
+    })
+}
+
+/// Writes the edges that no tile has, unless an earlier run did; returns how many samples asked
+/// other tiles, which stands before the edges.
+pub(super) fn once(
+    folder: &Folder,
+    is_wide: bool,
+    join: impl FnOnce() -> anyhow::Result<(u64, Vec<[u64; 2]>)>,
+) -> anyhow::Result<u64> {
     let path = folder.joined();
     if path.exists() {
         return Ok(Counts::open(&path, is_wide)?.0.samples);
     }
+    let (samples, edges) = join()?;
+    let counts = Counts {
+        samples,
+        edges: edges.len() as u64,
+        ..Counts::default()
+    };
+    records::write(&path, |out| {
+        counts.put(out)?;
+        put_edges(out, &edges, is_wide)
+    })?;
+    Ok(samples)
+}
+
+/// How many samples are open, and the edges that follow from the answers.
+fn ask(
+    folder: &Folder,
+    partition: &Partition,
+    method: Method,
+    sizes: Sizes,
+    is_wide: bool,
+    progress: Progress<'_>,
+) -> anyhow::Result<(u64, Vec<[u64; 2]>)> {
     let cells = partition.cells();
     let (runs, atlas) = Runs::of_tiles(folder, cells.len(), is_wide)?;
     let total = runs.open;
@@ -45,16 +79,5 @@ pub(super) fn join(
             done += count;
         }
     }
-    let edges = joined(claims, method.keep);
-    // Of no tile: the samples are those that were open.
-    let counts = Counts {
-        samples: total,
-        edges: edges.len() as u64,
-        ..Counts::default()
-    };
-    records::write(&path, |out| {
-        counts.put(out)?;
-        put_edges(out, &edges, is_wide)
-    })?;
-    Ok(total)
+    Ok((total, joined(claims, method.keep)))
 }

@@ -1,6 +1,7 @@
 //! Tiles that are solved with runs of other tiles, until all of their edges are certain.
 
 use super::Progress;
+use super::join;
 use super::plan::Folder;
 use super::records::{self, put};
 use super::runs::Runs;
@@ -22,10 +23,19 @@ pub(super) fn close(
     is_wide: bool,
     progress: Progress<'_>,
 ) -> anyhow::Result<u64> {
-    let path = folder.joined();
-    if path.exists() {
-        return Ok(Counts::open(&path, is_wide)?.0.samples);
-    }
+    join::once(folder, is_wide, || {
+        close_tiles(folder, partition, solve, is_wide, progress)
+    })
+}
+
+/// How many samples asked other tiles, and the edges across borders.
+fn close_tiles(
+    folder: &Folder,
+    partition: &Partition,
+    solve: SolveStars,
+    is_wide: bool,
+    progress: Progress<'_>,
+) -> anyhow::Result<(u64, Vec<[u64; 2]>)> {
     let cells = partition.cells();
     let (runs, atlas) = Runs::of_tiles(folder, cells.len(), is_wide)?;
     let mut claims = Vec::new();
@@ -45,17 +55,7 @@ pub(super) fn close(
         claims.extend(Rest::read(&path, is_wide)?.claims);
     }
     // An edge is found once, so its only claim has to do.
-    let edges = joined(claims, Keep::Union);
-    let counts = Counts {
-        samples: asked,
-        edges: edges.len() as u64,
-        ..Counts::default()
-    };
-    records::write(&path, |out| {
-        counts.put(out)?;
-        put_edges(out, &edges, is_wide)
-    })?;
-    Ok(asked)
+    Ok((asked, joined(claims, Keep::Union)))
 }
 
 /// The edges of a tile, and how many of its samples asked others.

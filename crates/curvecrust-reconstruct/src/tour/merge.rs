@@ -8,6 +8,7 @@
 
 use curvecrust_geometry::Random;
 
+use super::ROUNDING;
 use super::near::Near;
 use super::search::Search;
 
@@ -29,9 +30,6 @@ const BLOCK: usize = 60;
 /// So many of the shortest length are enough.
 const ALIKE: usize = 3;
 
-/// Lengths are one if they differ by less than this share.
-const SAME: f64 = 1e-12;
-
 impl Search<'_> {
     /// Improves the tour and others by perturbations until so many of them are the shortest that no
     /// shorter one is likely; if there are not, one is sought among the edges of all.
@@ -51,10 +49,10 @@ impl Search<'_> {
             }
             self.perturb_often(rounds, seed);
             let length: f64 = self.lengths().sum();
-            if length < least * (1.0 - SAME) {
+            if length < least * (1.0 - ROUNDING) {
                 (shortest, least, alike) = (tours.len(), length, 0);
             }
-            alike += usize::from(length <= least * (1.0 + SAME));
+            alike += usize::from(length <= least * (1.0 + ROUNDING));
             if alike == ALIKE {
                 return;
             }
@@ -70,12 +68,11 @@ impl Search<'_> {
 
 /// All vertices, whole blocks in random order. Vertices that follow each other are near each other.
 fn shuffled(count: usize, random: &mut Random) -> Vec<u32> {
-    let mut all: Vec<u32> = (0u32..).take(count).collect();
-    for i in (1..count / BLOCK).rev() {
-        let j = random.below(i + 1);
-        for k in 0..BLOCK {
-            all.swap(BLOCK * i + k, BLOCK * j + k);
-        }
-    }
-    all
+    let all: Vec<u32> = (0u32..).take(count).collect();
+    let whole = all.chunks_exact(BLOCK);
+    let rest = whole.remainder();
+    let mut blocks: Vec<&[u32]> = whole.collect();
+    random.shuffle(&mut blocks);
+    blocks.push(rest);
+    blocks.concat()
 }
